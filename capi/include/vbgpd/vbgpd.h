@@ -1,0 +1,291 @@
+/* vbgpd.h - C ABI of the VB-GPD engine (virtual-bond general particle dynamics for soil slopes).
+ * C99 and C++11; no compiler extension is needed to read it. This header is the manual.
+ *
+ * Rules that hold for every function, so they are not repeated below
+ *  R1  returns vbgpd_status: 0 = done, >0 = done with a named outcome, <0 = failed, nothing changed.
+ *  R2  never throws, exits, aborts, prints, reads the environment or the locale, installs a signal handler;
+ *      enters with the default floating-point environment and puts the caller's back.
+ *  R3  NULL, foreign or destroyed handles give VBGPD_E_HANDLE; they do not crash. Destroying NULL is VBGPD_OK.
+ *  R4  an object may be used by any thread, by one thread at a time; overlap gives VBGPD_E_BUSY.
+ *      Different models may run at once. Only functions marked [any-thread] may overlap another call.
+ *  R5  callbacks run only on the thread that is inside the call, never after the call returned, and may not
+ *      call back into the same object (VBGPD_E_REENTRANT). All callbacks have a polling equivalent.
+ *  R6  a child object keeps what it needs of its parent: handles may be destroyed in any order (GC languages).
+ *  R7  strings are UTF-8, passed as (pointer, length); length -1 = NUL-terminated. Text comes back in a buffer
+ *      of the caller: (buf, cap, *needed); needed excludes the NUL; cap 0 asks for the size only. A buffer too
+ *      small for the text and its NUL gives VBGPD_E_BUFFER. needed may be NULL.
+ *  R8  sizes, counts and ids are int64_t; ids count from 0; angles in degrees, all else SI (m, kg, s, Pa, N);
+ *      2-D plane strain, 1 m thick, x right, y up; stress positive in tension.
+ *  R9  structs begin with struct_size = sizeof the caller's struct; fields are only ever appended; a shorter
+ *      struct is filled as far as it goes, a longer one too. Fill with the matching _init first where there is one.
+ *      No enum, bool, long, size_t, bit-field, union or by-value struct crosses the ABI.
+ *
+ * Life cycle: context -> profile (edit, validate) -> model (particles and bonds) -> job (equilibrium or strength
+ * reduction, in slices) or step by step -> fields and results -> destroy, in any order.
+ */
+#ifndef VBGPD_H
+#define VBGPD_H
+#include <stdint.h>
+#if defined(_WIN32)
+#define VBGPD_CALL __cdecl
+#if defined(VBGPD_BUILD)
+#define VBGPD_API __declspec(dllexport)
+#elif defined(VBGPD_STATIC)
+#define VBGPD_API
+#else
+#define VBGPD_API __declspec(dllimport)
+#endif
+#else
+#define VBGPD_CALL
+#define VBGPD_API __attribute__((visibility("default")))
+#endif
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- version ------------------------------------------------------------------------------------------- */
+#define VBGPD_VERSION_NUMBER 1000000 /* major*1000000 + minor*1000 + patch */
+#define VBGPD_ABI_VERSION 1          /* = soname libvbgpd.so.1; changes only when R9 is broken */
+#define VBGPD_STRLEN ((int64_t)-1)   /* as a length: the text ends at its NUL */
+VBGPD_API int32_t VBGPD_CALL vbgpd_version_number(void);      /* [any-thread] of the library, not of this header */
+VBGPD_API int32_t VBGPD_CALL vbgpd_abi_version(void);         /* [any-thread] */
+VBGPD_API const char* VBGPD_CALL vbgpd_version_string(void);  /* [any-thread] static text, "1.0.0" */
+
+/* ---- status -------------------------------------------------------------------------------------------- */
+typedef int32_t vbgpd_status;
+#define VBGPD_OK 0
+#define VBGPD_CANCELLED 1     /* stopped on request at a step boundary; can be continued */
+#define VBGPD_LIMIT_REACHED 2 /* end of this wall-clock slice; call again to go on */
+#define VBGPD_NOT_CONVERGED 3 /* the job ended without the answer asked for; its "reason" says why */
+#define VBGPD_UNSTABLE 4      /* equilibrium job: a mechanism formed, the slope moves */
+#define VBGPD_END_OF_DATA 5   /* index past the last item */
+#define VBGPD_E_ARGUMENT -1
+#define VBGPD_E_HANDLE -2
+#define VBGPD_E_MEMORY -3
+#define VBGPD_E_LIMIT -4 /* max_particles of the context */
+#define VBGPD_E_BUSY -5  /* another thread is inside this object */
+#define VBGPD_E_REENTRANT -7
+#define VBGPD_E_STATE -8    /* not allowed in this phase */
+#define VBGPD_E_GEOMETRY -9 /* profile not simple, layer outside ...; see the error record and the issues */
+#define VBGPD_E_UNKNOWN_NAME -10
+#define VBGPD_E_RANGE -11
+#define VBGPD_E_BUFFER -12 /* caller's buffer too small; *needed is set */
+#define VBGPD_E_FORMAT -13 /* flatbuffer refused by the verifier */
+#define VBGPD_E_VERSION -14
+#define VBGPD_E_DIVERGED -15 /* NaN/Inf or runaway step; the model is at the last good step and readable */
+#define VBGPD_E_UNSUPPORTED -17
+#define VBGPD_E_INTERNAL -99
+VBGPD_API const char* VBGPD_CALL vbgpd_status_name(vbgpd_status s); /* [any-thread] static text, "VBGPD_E_RANGE" */
+
+typedef struct vbgpd_context vbgpd_context; /* threads, limits; cheap; no process globals */
+typedef struct vbgpd_profile vbgpd_profile; /* slope profile: polygons, materials, loads, supports */
+typedef struct vbgpd_model vbgpd_model;     /* particles and virtual bonds, at a time */
+typedef struct vbgpd_job vbgpd_job;         /* equilibrium or strength reduction, advanced in slices */
+
+#define VBGPD_OBJECT_CONTEXT 1
+#define VBGPD_OBJECT_PROFILE 2
+#define VBGPD_OBJECT_MATERIAL 3
+#define VBGPD_OBJECT_LAYER 4
+#define VBGPD_OBJECT_LOAD 5
+#define VBGPD_OBJECT_BOUNDARY 6
+#define VBGPD_OBJECT_MODEL 7
+#define VBGPD_OBJECT_JOB 8
+
+/* What went wrong, where: for a program to highlight. The text is a whole sentence for a person. */
+typedef struct vbgpd_error_info {
+  uint32_t struct_size;
+  int32_t status;      /* VBGPD_E_*; 0 in an issue that is only a warning */
+  int32_t object_kind; /* VBGPD_OBJECT_*, 0 = none */
+  int32_t argument;    /* 1-based number of the offending argument, 0 = none */
+  int64_t object_id;   /* e.g. layer id, -1 = none */
+  int64_t item;        /* e.g. vertex index, -1 = none */
+  double x, y, value;  /* where, and the offending value; NaN = none */
+} vbgpd_error_info;
+/* The last failure of a call ON THIS OBJECT (not per thread); kept until the next failing call on it.
+ * Without a failure so far: VBGPD_END_OF_DATA. info and text may be NULL. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_error(const vbgpd_context*, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_error(const vbgpd_profile*, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_error(const vbgpd_model*, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_error(const vbgpd_job*, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
+
+/* ---- context ------------------------------------------------------------------------------------------- */
+typedef struct vbgpd_context_desc {
+  uint32_t struct_size;
+  int32_t abi_version;   /* VBGPD_ABI_VERSION the caller was built with; another one gives VBGPD_E_VERSION */
+  int32_t threads;       /* workers per model; 0 = all cores, 1 = none (default). Results do not depend on it */
+  int32_t reserved;      /* 0 */
+  int64_t max_particles; /* model creation beyond it gives VBGPD_E_LIMIT; 0 = no limit (default) */
+} vbgpd_context_desc;
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_desc_init(vbgpd_context_desc* d, uint32_t struct_size);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_create(const vbgpd_context_desc* d, vbgpd_context** out); /* d NULL = defaults */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_destroy(vbgpd_context*);
+
+/* ---- the named numbers describe themselves ---------------------------------------------------------------- */
+typedef struct vbgpd_property_info {
+  uint32_t struct_size;
+  int32_t required;                                /* 1 = has no default and must be set */
+  const char *name, *unit, *doc;                   /* static text: "cohesion", "Pa" (UDUNITS), one sentence */
+  double default_value, min_value, max_value;      /* default NaN = absent */
+  int32_t min_open, max_open;                      /* 1 = the end itself is not allowed */
+} vbgpd_property_info;
+/* object_kind: VBGPD_OBJECT_PROFILE (spacing, gravity, kh, kv, smoothing_ratio, srf_min, srf_max, srf_tolerance),
+ * MATERIAL, LOAD, BOUNDARY, MODEL, JOB */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_count(int32_t object_kind, int64_t* n);                    /* [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_info_at(int32_t object_kind, int64_t i, vbgpd_property_info* info); /* [any-thread] */
+
+/* ---- slope profile --------------------------------------------------------------------------------------- */
+/* xy arrays: n points, x at p + i*stride bytes, y 8 bytes behind it; stride 16 = packed pairs. Any winding, either slope
+ * direction, map-sized coordinates. Contents are copied. Values are checked as a whole by _validate and _model_create. */
+#define VBGPD_BOUNDARY_FREE 0
+#define VBGPD_BOUNDARY_FIXED 1
+#define VBGPD_BOUNDARY_ROLLER 2   /* slides along itself, does not move across */
+#define VBGPD_BOUNDARY_VELOCITY 3 /* moves with the properties "vx", "vy" */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_create(vbgpd_context*, vbgpd_profile** out);
+/* A scene from a flatbuffer (schema core/exchange/vbgpd.fbs, file identifier "VBGP"); bytes are verified and copied. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_create_from_flatbuffer(vbgpd_context*, const void* bytes, int64_t len, vbgpd_profile** out);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_destroy(vbgpd_profile*);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_exterior(vbgpd_profile*, const double* xy, int64_t stride, int64_t n);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_material(vbgpd_profile*, const char* name, int64_t len, int64_t* material_id);
+/* Layers are painted in order; n = 0 (xy NULL) fills the exterior, later polygons overwrite. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_layer(vbgpd_profile*, const double* xy, int64_t stride, int64_t n, int64_t material_id, int64_t* layer_id);
+/* A held part of the outline. side "base", "left" or "right" with n = 0, or side NULL and a polyline along the exterior.
+ * A profile without any boundary has a fixed base and rollers left and right. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_boundary(vbgpd_profile*, const char* side, int64_t side_len, const double* xy, int64_t stride, int64_t n, int32_t kind, int64_t* boundary_id);
+/* Vertical pressure (Pa, down positive) on the ground surface from x0 to x1, linear from pressure to pressure_end. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_load(vbgpd_profile*, double x0, double x1, double pressure, double pressure_end, int64_t* load_id);
+/* Named numbers; id is ignored for VBGPD_OBJECT_PROFILE. NaN takes a value back to "absent". */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_f64(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double value);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_f64(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double* value);
+/* Named texts: PROFILE "name", "source", "bond" (virtual_bond | none), "kernel" (wendland_c2 | cubic_spline);
+ * MATERIAL "name", "law" (elastic | drucker_prager | mohr_coulomb | undrained); LAYER "material"; BOUNDARY "name", "side". */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_text(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, const char* value, int64_t value_len);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_text(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
+/* How many materials, layers, loads, boundaries (PROFILE: 1). */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_count(const vbgpd_profile*, int32_t object_kind, int64_t* n);
+/* Vertices of the exterior (PROFILE), of a LAYER, of a BOUNDARY polyline; *n is always the full count; cap counts points;
+ * cap 0 asks for the count only, a cap too small gives VBGPD_E_BUFFER. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_polygon(const vbgpd_profile*, int32_t object_kind, int64_t id, double* xy, int64_t stride, int64_t cap, int64_t* n);
+/* Finds every fault, not the first: *errors of them forbid a model, *warnings do not. Errors do not make the call fail. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_validate(vbgpd_profile*, int64_t* errors, int64_t* warnings);
+/* Issue i of the last _validate, errors and warnings in the order found; VBGPD_END_OF_DATA past the last. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_issue(const vbgpd_profile*, int64_t i, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
+
+/* ---- model ------------------------------------------------------------------------------------------------ */
+/* Validates, cuts the lattice, bonds the particles; the profile may be changed or destroyed afterwards.
+ * An invalid profile gives the status of its first error; the context's error record has all errors in its text. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create(vbgpd_context*, const vbgpd_profile*, vbgpd_model** out);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_destroy(vbgpd_model*);
+/* "damping" (local damping coefficient of _step, [0, 1), default 0), "strength_reduction_factor" (default 1) */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* name, int64_t len, double value);
+/* the above and: time, steps, stable_time_step, time_step, unbalanced_force_ratio, max_displacement, max_velocity,
+ * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds, plastic_bonds,
+ * bytes, and the energy ledger since creation: kinetic_energy, elastic_energy, plastic_dissipation, damping_dissipation,
+ * external_work, energy_residual (relative to the largest of them) */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_get_f64(const vbgpd_model*, const char* name, int64_t len, double* value);
+
+typedef struct vbgpd_progress {
+  uint32_t struct_size;
+  int32_t level;                    /* which grid, 0 = coarsest */
+  int32_t trial;                    /* which strength reduction factor, from 0 */
+  int32_t phase;                    /* 1 gravity, 2 search, 3 stable end, 4 failed end, 5 slip surface */
+  int64_t steps;                    /* since the job began, all grids */
+  double fraction;                  /* estimate of the work done, [0, 1] */
+  double strength_reduction_factor; /* of the trial now running */
+  double srf_stable, srf_unstable;  /* bracket so far on this grid, NaN = not yet */
+  double unbalanced_force_ratio, max_displacement;
+} vbgpd_progress;
+typedef int32_t(VBGPD_CALL* vbgpd_progress_fn)(void* user, const vbgpd_progress*); /* 0 = go on, else stop: VBGPD_CANCELLED */
+
+typedef struct vbgpd_advance_result {
+  uint32_t struct_size;
+  int32_t reserved;
+  int64_t steps;                /* done in this call */
+  double time, time_step;       /* s */
+  double kinetic_energy;        /* J per metre run */
+  double unbalanced_force_ratio, max_displacement, max_velocity;
+  int64_t plastic_bonds;
+} vbgpd_advance_result;
+/* Explicit dynamic steps with true masses at the stable time step. r may be NULL.
+ * VBGPD_E_DIVERGED: the model is back at the last good step and readable. VBGPD_CANCELLED: between two steps. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_step(vbgpd_model*, int64_t steps, vbgpd_advance_result* r);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_cancel(vbgpd_model*); /* [any-thread] [signal-safe] */
+
+/* ---- jobs: long analyses in slices ------------------------------------------------------------------------- */
+/* A job works on the model it was made for; that model answers VBGPD_E_BUSY only while a slice runs. When a strength
+ * reduction has ended the model is left in the failing state of the finest grid, so that its fields show the mechanism. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_equilibrium(vbgpd_model*, vbgpd_job** out);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_strength_reduction(vbgpd_model*, vbgpd_job** out);
+/* "srf_min", "srf_max", "srf_tolerance" (taken from the profile), "levels" (grids, 1-3, default 2), "careful" (0 fast search
+ * then verification, 1 plain bisection from the gravity state), "step_limit" (per trial). Before the first _run only. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_set_f64(vbgpd_job*, const char* name, int64_t len, double value);
+/* VBGPD_OK = finished; LIMIT_REACHED or CANCELLED = call again; NOT_CONVERGED, UNSTABLE = finished with that outcome.
+ * wall_seconds <= 0: no limit. fn may be NULL; it is called at most about ten times a second. p may be NULL. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_run(vbgpd_job*, double wall_seconds, vbgpd_progress_fn fn, void* user, vbgpd_progress* p);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] [signal-safe] */
+/* After it finished: factor_of_safety, srf_stable, srf_unstable, error_estimate, displacement_level, sliding_area,
+ * energy_residual, levels, trials, steps, particles, bonds, wall_seconds, cpu_seconds. NaN where it has no value.
+ * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_f64(const vbgpd_job*, const char* name, int64_t len, double* value);
+/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, ...), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
+
+/* One strength reduction factor that was tried, with its evidence. */
+#define VBGPD_VERDICT_UNDECIDED 0
+#define VBGPD_VERDICT_STABLE 1
+#define VBGPD_VERDICT_FAILED 2
+typedef struct vbgpd_trial {
+  uint32_t struct_size;
+  int32_t level;                    /* which grid, 0 = coarsest */
+  int32_t verdict;                  /* VBGPD_VERDICT_* */
+  int32_t band_connected;           /* 1: yielding bonds join the ground surface to the ground surface */
+  double strength_reduction_factor;
+  double unbalanced_force_ratio;    /* at the end: sum |f| / sum m g */
+  double unbalanced_force_slope;    /* change of its logarithm over the last response time; about 0 = plateau */
+  double displacement_level;        /* E u_max / gamma H^2 at the end */
+  double displacement_growth;       /* growth of u_max over the last response time, relative to the elastic u_max */
+  double power_ratio;               /* internal / gravity power times F: the F this flow would just balance; NaN = at rest */
+  int64_t steps;
+  double wall_seconds;
+} vbgpd_trial;
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_trial(const vbgpd_job*, int64_t i, vbgpd_trial* t); /* END_OF_DATA past the last */
+typedef struct vbgpd_level {
+  uint32_t struct_size;
+  int32_t reserved;
+  double spacing_x, spacing_y;
+  int64_t particles, bonds, steps, trials;
+  double srf_stable, srf_unstable, factor_of_safety; /* of this grid alone */
+  double wall_seconds, cpu_seconds;
+} vbgpd_level;
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_level(const vbgpd_job*, int64_t i, vbgpd_level* l);
+/* The critical slip surface from entry to exit, left to right; rules for cap and n as vbgpd_profile_polygon. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_slip_surface(const vbgpd_job*, double* xy, int64_t stride, int64_t cap, int64_t* n);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_destroy(vbgpd_job*);
+
+/* ---- reading fields ----------------------------------------------------------------------------------------- */
+#define VBGPD_AT_PARTICLE 1
+#define VBGPD_AT_BOND 2
+#define VBGPD_TYPE_F64 1
+#define VBGPD_TYPE_I64 2
+typedef struct vbgpd_field_info {
+  uint32_t struct_size;
+  int32_t type;     /* VBGPD_TYPE_* */
+  int32_t location; /* VBGPD_AT_* */
+  int32_t components;
+  const char *name, *unit, *doc; /* static text; unit UDUNITS */
+} vbgpd_field_info;
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_count(int64_t* n);                            /* [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_info_at(int64_t i, vbgpd_field_info* info);   /* [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_find(const char* name, int64_t len, int32_t* field); /* [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_item_count(const vbgpd_model*, int32_t location, int64_t* n);
+/* Copies all items of a field, by particle id (soil first, then wall particles) or bond by bond. dst + i*stride_item +
+ * c*stride_component bytes receives component c of item i; strides 0 = packed rows. cap counts items; *n (may be NULL) is the
+ * full count; cap too small gives VBGPD_E_BUFFER. read_i64 wants an integer field, read_f64 takes either. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_f64(const vbgpd_model*, int32_t field, double* dst, int64_t stride_item, int64_t stride_component, int64_t cap, int64_t* n);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_i64(const vbgpd_model*, int32_t field, int64_t* dst, int64_t stride_item, int64_t stride_component, int64_t cap, int64_t* n);
+/* 64-bit hash of everything that changes in the model: same run = same hash, at any thread count. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_state_hash(const vbgpd_model*, uint64_t* hash);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

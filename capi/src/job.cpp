@@ -1,0 +1,209 @@
+// Jobs: long analyses in slices.
+#include <cmath>
+
+#include "convert.h"
+#include "guard.h"
+
+namespace vbgpd::capi {
+namespace {
+
+vbgpd_progress progress_of(const Progress& from) {
+  vbgpd_progress to{};
+  to.struct_size = sizeof to;
+  to.level = from.level;
+  to.trial = from.trial;
+  to.phase = static_cast<std::int32_t>(from.phase);
+  to.steps = from.steps;
+  to.fraction = from.fraction;
+  to.strength_reduction_factor = from.strength_reduction_factor;
+  to.srf_stable = from.srf_stable;
+  to.srf_unstable = from.srf_unstable;
+  to.unbalanced_force_ratio = from.unbalanced_force_ratio;
+  to.max_displacement = from.max_displacement;
+  return to;
+}
+
+// The host's progress function, called in the host's floating-point environment; what it throws stops here.
+class Listener {
+ public:
+  Listener(vbgpd_progress_fn fn, void* user, const std::fenv_t& callers) : fn_(fn), user_(user), callers_(callers) {}
+
+  bool operator()(const Progress& progress) noexcept {
+    const vbgpd_progress told = progress_of(progress);
+    const CallersFloatEnvironment environment(callers_);
+    try {
+      return fn_(user_, &told) == 0;
+    } catch (...) {
+      threw_ = true;
+      return false;
+    }
+  }
+  bool threw() const { return threw_; }
+
+ private:
+  vbgpd_progress_fn fn_;
+  void* user_;
+  const std::fenv_t& callers_;
+  bool threw_ = false;
+};
+
+Status run_slice(JobObject& object, double wall_seconds, Listener& listener, bool listening) {
+  Job::Callback callback;
+  if (listening) callback = [&listener](const Progress& progress) { return listener(progress); };
+  return object.job->run(wall_seconds, callback);
+}
+
+[[noreturn]] void report_divergence(const Job& job) {
+  Issue issue;
+  issue.status = Status::kDiverged;
+  issue.object = ObjectKind::kJob;
+  issue.text = job.result().reason.empty() ? "The model diverged; it is back at its last good step." : job.result().reason;
+  throw Error(issue);
+}
+
+using MakeJob = std::unique_ptr<Job> (*)(Simulation&);
+
+vbgpd_status create_job(vbgpd_model* model, vbgpd_job** out, MakeJob make) noexcept {
+  return with(model, [&](ModelObject& parent) {
+    require_not_null(out, 2, "out");
+    auto object = std::make_unique<JobObject>(parent.engine);
+    object->job = make(*parent.engine->simulation);
+    hand_out(std::move(object), out);
+    return Status::kOk;
+  });
+}
+
+vbgpd_trial trial_of(const Trial& from) {
+  vbgpd_trial to{};
+  to.struct_size = sizeof to;
+  to.level = from.level;
+  to.verdict = static_cast<std::int32_t>(from.verdict);
+  to.band_connected = from.band_connected ? 1 : 0;
+  to.strength_reduction_factor = from.strength_reduction_factor;
+  to.unbalanced_force_ratio = from.unbalanced_force_ratio;
+  to.unbalanced_force_slope = from.unbalanced_force_slope;
+  to.displacement_level = from.displacement_level;
+  to.displacement_growth = from.displacement_growth;
+  to.power_ratio = from.power_ratio;
+  to.steps = from.steps;
+  to.wall_seconds = from.wall_seconds;
+  return to;
+}
+
+vbgpd_level level_of(const Level& from) {
+  vbgpd_level to{};
+  to.struct_size = sizeof to;
+  to.spacing_x = from.spacing_x;
+  to.spacing_y = from.spacing_y;
+  to.particles = from.particles;
+  to.bonds = from.bonds;
+  to.steps = from.steps;
+  to.trials = from.trials;
+  to.srf_stable = from.srf_stable;
+  to.srf_unstable = from.srf_unstable;
+  to.factor_of_safety = from.factor_of_safety;
+  to.wall_seconds = from.wall_seconds;
+  to.cpu_seconds = from.cpu_seconds;
+  return to;
+}
+
+const std::string& named_text(const JobResult& result, std::string_view name) {
+  if (name == "status") return result.status;
+  if (name == "reason") return result.reason;
+  if (name == "scheme") return result.scheme;
+  if (name == "reduced") return result.reduced;
+  if (name == "flow_rule") return result.flow_rule;
+  throw ArgumentError(2, Status::kUnknownName,
+                      "A job has no text named \"" + std::string(name) +
+                          "\"; it has status, reason, scheme, reduced, flow_rule.");
+}
+
+}  // namespace
+}  // namespace vbgpd::capi
+
+using namespace vbgpd;
+using namespace vbgpd::capi;
+
+vbgpd_status vbgpd_job_create_equilibrium(vbgpd_model* model, vbgpd_job** out) {
+  return create_job(model, out, make_equilibrium);
+}
+
+vbgpd_status vbgpd_job_create_strength_reduction(vbgpd_model* model, vbgpd_job** out) {
+  return create_job(model, out, make_strength_reduction);
+}
+
+vbgpd_status vbgpd_job_set_f64(vbgpd_job* job, const char* name, int64_t len, double value) {
+  return with(job, [&](JobObject& object) {
+    object.job->set(text_in(name, len, 2, "name"), value);
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_job_run(vbgpd_job* job, double wall_seconds, vbgpd_progress_fn fn, void* user, vbgpd_progress* p) {
+  std::fenv_t callers;
+  std::fegetenv(&callers);
+  return with(job, [&](JobObject& object) {
+    if (std::isnan(wall_seconds)) throw ArgumentError(2, Status::kArgument, "wall_seconds is not a number.");
+    require_struct(p, 5, true);
+    const Inside inside(object.engine->gate);
+    require(inside, 1, "model of this job");
+    Listener listener(fn, user, callers);
+    const Status status = run_slice(object, wall_seconds, listener, fn != nullptr);
+    fill(p, progress_of(object.job->progress()));
+    if (listener.threw()) throw ArgumentError(3, Status::kInternal, "The progress function threw an exception.");
+    if (status == Status::kDiverged) report_divergence(*object.job);
+    return status;
+  });
+}
+
+vbgpd_status vbgpd_job_cancel(vbgpd_job* job) {
+  const Pinned<vbgpd_job> object(job);
+  if (!object) return VBGPD_E_HANDLE;
+  object->job->cancel();
+  return VBGPD_OK;
+}
+
+vbgpd_status vbgpd_job_get_f64(const vbgpd_job* job, const char* name, int64_t len, double* value) {
+  return with(job, [&](JobObject& object) {
+    require_not_null(value, 4, "value");
+    *value = object.job->get(text_in(name, len, 2, "name"));
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_job_get_text(const vbgpd_job* job, const char* name, int64_t len, char* buf, int64_t cap,
+                                int64_t* needed) {
+  return with(job, [&](JobObject& object) {
+    text_out(named_text(object.job->result(), text_in(name, len, 2, "name")), buf, cap, needed, 4);
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_job_trial(const vbgpd_job* job, int64_t i, vbgpd_trial* t) {
+  return with(job, [&](JobObject& object) {
+    require_struct(t, 3);
+    const Trial* const trial = item_at(object.job->result().trials, i, 2);
+    if (trial == nullptr) return Status::kEndOfData;
+    fill(t, trial_of(*trial));
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_job_level(const vbgpd_job* job, int64_t i, vbgpd_level* l) {
+  return with(job, [&](JobObject& object) {
+    require_struct(l, 3);
+    const Level* const level = item_at(object.job->result().levels, i, 2);
+    if (level == nullptr) return Status::kEndOfData;
+    fill(l, level_of(*level));
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_job_slip_surface(const vbgpd_job* job, double* xy, int64_t stride, int64_t cap, int64_t* n) {
+  return with(job, [&](JobObject& object) {
+    points_out(object.job->result().slip_surface, xy, stride, cap, n, 2);
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_job_destroy(vbgpd_job* job) { return destroy(job); }

@@ -1,0 +1,101 @@
+// Models: compile a profile, step it, its named numbers.
+#include "convert.h"
+#include "guard.h"
+#include "scene/wording.h"
+
+namespace vbgpd::capi {
+namespace {
+
+vbgpd_advance_result result_of(const Simulation& simulation, const StepReport& report) {
+  const Monitors monitors = simulation.monitors();
+  vbgpd_advance_result result{};
+  result.struct_size = sizeof result;
+  result.steps = report.steps;
+  result.time = simulation.get("time");
+  result.time_step = simulation.get("time_step");
+  result.kinetic_energy = monitors.kinetic_energy;
+  result.unbalanced_force_ratio = monitors.unbalanced_force_ratio;
+  result.max_displacement = monitors.max_displacement;
+  result.max_velocity = monitors.max_velocity;
+  result.plastic_bonds = monitors.plastic_bonds;
+  return result;
+}
+
+[[noreturn]] void report_divergence(const vbgpd_advance_result& last_good) {
+  Issue issue;
+  issue.status = Status::kDiverged;
+  issue.object = ObjectKind::kModel;
+  issue.value = last_good.time;
+  issue.text = "The model diverged after " + std::to_string(last_good.steps) +
+               " steps of this call; it is back at its last good step, at " + number_text(last_good.time) + " s.";
+  throw Error(issue);
+}
+
+}  // namespace
+}  // namespace vbgpd::capi
+
+using namespace vbgpd;
+using namespace vbgpd::capi;
+
+vbgpd_status vbgpd_model_create(vbgpd_context* context, const vbgpd_profile* profile, vbgpd_model** out) {
+  return with(context, [&](ContextObject& limits) {
+    require_not_null(out, 3, "out");
+    const Pinned<const vbgpd_profile> source(profile);
+    if (!source) throw ArgumentError(2, Status::kHandle, "The profile is not a live profile.");
+    const Inside inside(source->gate());
+    require(inside, 2, "profile");
+    CompileOptions options;
+    options.threads = limits.threads;
+    options.max_particles = limits.max_particles;
+    auto model = std::make_unique<ModelObject>();
+    try {
+      model->engine->simulation = Simulation::compile(source->scene, options);
+    } catch (const Error& error) {
+      throw ArgumentError(2, error.issue());
+    }
+    hand_out(std::move(model), out);
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_model_destroy(vbgpd_model* model) { return destroy(model); }
+
+vbgpd_status vbgpd_model_set_f64(vbgpd_model* model, const char* name, int64_t len, double value) {
+  return with(model, [&](ModelObject& object) {
+    object.engine->simulation->set(text_in(name, len, 2, "name"), value);
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_model_get_f64(const vbgpd_model* model, const char* name, int64_t len, double* value) {
+  return with(model, [&](ModelObject& object) {
+    require_not_null(value, 4, "value");
+    *value = object.engine->simulation->get(text_in(name, len, 2, "name"));
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_model_step(vbgpd_model* model, int64_t steps, vbgpd_advance_result* r) {
+  return with(model, [&](ModelObject& object) {
+    if (steps < 0) {
+      throw ArgumentError(2, Status::kArgument,
+                          "The number of steps is " + std::to_string(steps) + "; it must be 0 or more.");
+    }
+    require_struct(r, 3, true);
+    Simulation& simulation = *object.engine->simulation;
+    const StepReport report = simulation.step(steps, &object.cancel);
+    // A request is used up by the call that obeys it; one that came too late stops the next call.
+    if (report.status == Status::kCancelled) object.cancel.store(false, std::memory_order_relaxed);
+    const vbgpd_advance_result result = result_of(simulation, report);
+    fill(r, result);
+    if (report.status == Status::kDiverged) report_divergence(result);
+    return report.status;
+  });
+}
+
+vbgpd_status vbgpd_model_cancel(vbgpd_model* model) {
+  const Pinned<vbgpd_model> object(model);
+  if (!object) return VBGPD_E_HANDLE;
+  object->cancel.store(true, std::memory_order_relaxed);
+  return VBGPD_OK;
+}

@@ -1,0 +1,236 @@
+#include "analysis/grid_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/format.h"
+
+namespace vbgpd {
+
+namespace {
+
+constexpr std::int64_t kWindow = 10;
+constexpr double kNotch = 0.25;  // trial factors are multiples of this share of the tolerance: the same for every unit and side
+
+}  // namespace
+
+void GridSearch::set_factor(double factor) {
+  simulation_.set("strength_reduction_factor", factor);
+  progress_.strength_reduction_factor = factor;
+}
+
+double GridSearch::notched(double factor) const {
+  const double notch = kNotch * options_.tolerance;
+  return notch * std::floor(factor / notch + 1e-9);
+}
+
+/// Elastic equilibrium under weight and loads; its steps are the response time N_r of the section.
+Slices GridSearch::gravity() {
+  progress_.phase = Phase::kGravity;
+  set_factor(1);
+  simulation_.halt();
+  RelaxOptions elastic;
+  elastic.elastic = true;
+  constexpr double kAtRest = 1e-6;
+  constexpr std::int64_t kMost = 200000;
+  for (;;) {
+    const RelaxReport r = simulation_.relax(kWindow, elastic);
+    response_ += r.steps, progress_.steps += r.steps;
+    elastic_displacement_ = r.max_displacement;
+    progress_.unbalanced_force_ratio = r.unbalanced_force_ratio, progress_.max_displacement = r.max_displacement;
+    if (r.diverged || response_ >= kMost) {
+      end_ = r.diverged ? SearchEnd::kDiverged : SearchEnd::kNoGravity, done_ = true;
+      reason_ = r.diverged ? "the elastic gravity state diverged" : "the elastic gravity state did not come to rest";
+      co_return;
+    }
+    if (r.unbalanced_force_ratio < kAtRest) break;
+    co_yield Pause{};
+  }
+  response_ = std::max<std::int64_t>(response_, 4 * kWindow);
+  simulation_.halt();
+  gravity_ = standing_ = simulation_.save();
+}
+
+/// One trial from the present state; its verdict moves an end of the bracket.
+Slices GridSearch::try_factor(double factor, Phase phase) {
+  progress_.phase = phase;
+  set_factor(factor);
+  trials_.push_back({});
+  Trial trial;
+  trial.level = level_, trial.strength_reduction_factor = factor;
+  progress_.trial = static_cast<int>(trials_.size()) - 1;
+  TrialRules rules;
+  rules.step_limit = options_.step_limit;
+  TrialRun run(simulation_, rules, response_, elastic_displacement_);
+  for (Slices s = run.run(trial, progress_); s.next();) {
+    trials_.back() = trial;
+    co_yield Pause{};
+  }
+  trials_.back() = trial;
+  verdict_ = trial.verdict;
+  if (run.diverged()) {
+    end_ = SearchEnd::kDiverged, done_ = true;
+    reason_ = "displacements ran away at F = " + format(factor);
+    co_return;
+  }
+  if (trial.verdict == Verdict::kStable) {
+    stable_ = std::isnan(stable_) ? factor : std::max(stable_, factor);
+    standing_ = simulation_.save();
+  }
+  if (trial.verdict == Verdict::kFailed) {
+    failed_ = std::isnan(failed_) ? factor : std::min(failed_, factor);
+    displacement_level_ = trial.displacement_level;
+  }
+  if (trial.verdict == Verdict::kUndecided) {
+    end_ = SearchEnd::kNotConverged, done_ = true;
+    reason_ = "at F = " + format(factor) + " neither equilibrium nor steady failure showed within " + std::to_string(trial.steps) +
+              " steps (unbalanced force ratio " + format(trial.unbalanced_force_ratio) + ")";
+  }
+  progress_.srf_stable = stable_, progress_.srf_unstable = failed_;
+}
+
+/// Overshoot and follow: let the slope flow a little above its factor of safety and read where the flow would just balance,
+///   F_e = F (internal power / external power),
+/// which tends to the factor of safety whatever F drives the flow.
+Slices GridSearch::follow() {
+  progress_.phase = Phase::kSearch;
+  double factor = std::isnan(options_.guess) ? 1.0 : 1.04 * options_.guess;
+  factor = std::clamp(factor, options_.srf_min, options_.srf_max);
+  const RelaxOptions options;
+  constexpr double kLevel = 12;      // displacement level at which the flow is read
+  constexpr double kFlat = 3e-4;
+  const std::int64_t look = std::max<std::int64_t>(2 * kWindow, response_ / 2);
+  const std::int64_t most = 60 * response_;
+  // 1. overshoot: raise F until the slope flows, then wait until F_e is flat and the flow developed
+  double previous = 0;
+  std::int64_t steps = 0, looked = 0;
+  set_factor(factor);
+  simulation_.halt();
+  for (;;) {
+    const RelaxReport r = simulation_.relax(kWindow, options);
+    steps += r.steps, looked += r.steps, progress_.steps += r.steps;
+    progress_.unbalanced_force_ratio = r.unbalanced_force_ratio, progress_.max_displacement = r.max_displacement;
+    if (r.diverged || steps > most) co_return;  // flow_ stays NaN: the careful way decides
+    const double level = r.max_displacement / simulation_.displacement_scale();
+    if (r.unbalanced_force_ratio < 1e-5) {  // stands: a lower end for nothing
+      stable_ = factor, standing_ = simulation_.save();
+      progress_.srf_stable = stable_;
+      if (factor >= options_.srf_max) co_return;
+      factor = std::min(options_.srf_max, factor * (steps < 2 * response_ ? 1.2 : 1.06));
+      set_factor(factor);
+      simulation_.halt();
+      steps = looked = 0;
+      continue;
+    }
+    if (looked >= look) {
+      const double estimate = factor * r.power_ratio;
+      if (estimate < factor && level > kLevel && std::fabs(estimate - previous) < kFlat * estimate) {
+        flow_ = estimate;
+        break;
+      }
+      if (level > 20 * kLevel && estimate < factor) {
+        flow_ = estimate;
+        break;
+      }
+      previous = estimate, looked = 0;
+    }
+    co_yield Pause{};
+  }
+  // 2. follow: come down towards F_e, gently, until it repeats
+  for (int round = 0; round < 8; ++round) {
+    const double before = flow_;
+    factor = round == 0 ? std::min(flow_ + 0.6 * (factor - flow_), 1.01 * flow_) : 1.002 * flow_;
+    set_factor(factor);
+    simulation_.halt();
+    for (std::int64_t n = 0; n < std::max<std::int64_t>(2 * kWindow, 2 * response_ / 3); n += kWindow) {
+      const RelaxReport r = simulation_.relax(kWindow, options);
+      progress_.steps += r.steps;
+      if (r.diverged) {
+        flow_ = kNone;
+        co_return;
+      }
+      if (r.unbalanced_force_ratio < 1e-5) break;
+      flow_ = factor * r.power_ratio;
+      co_yield Pause{};
+    }
+    if (round > 0 && std::fabs(flow_ - before) < kFlat * flow_) break;
+  }
+}
+
+/// The two ends of the bracket around the flow factor: arrest below it, keep flowing above it.
+Slices GridSearch::fast_bracket() {
+  const double notch = kNotch * options_.tolerance;
+  double low = std::max(options_.srf_min, notched(flow_ - 0.3 * notch));
+  // lower end: the same flow comes to rest; if not, step down
+  for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
+    for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
+    if (done_ || verdict_ == Verdict::kStable) break;
+    if (low <= options_.srf_min) {
+      end_ = SearchEnd::kBelowMin, done_ = true;
+      reason_ = "the slope fails even at the lowest strength reduction factor asked, " + format(options_.srf_min);
+      co_return;
+    }
+    low = std::max(options_.srf_min, notched(low - step));
+  }
+  // upper end: from the state at rest, a little more; if it stands, it is the new lower end
+  for (double step = 2 * notch; !done_ && std::isnan(failed_); step *= 2) {
+    const double high = std::min(options_.srf_max, notched(stable_ + step + 0.5 * notch));
+    for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};
+    if (!done_ && verdict_ == Verdict::kStable && high >= options_.srf_max) {
+      end_ = SearchEnd::kAboveMax, done_ = true;
+      reason_ = "the slope stands even at the highest strength reduction factor asked, " + format(options_.srf_max);
+      co_return;
+    }
+  }
+  // between a standing and a failing factor further apart than asked: halve, from the last state at rest
+  while (!done_ && !closed()) {
+    simulation_.restore(*standing_);
+    for (Slices s = try_factor(notched((stable_ + failed_) / 2 + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
+  }
+}
+
+/// Plain bisection, every trial from the gravity state.
+Slices GridSearch::bisection() {
+  const auto from_gravity = [&] { simulation_.restore(*gravity_); };
+  double factor = std::clamp(std::isnan(options_.guess) ? 1.0 : options_.guess, options_.srf_min, options_.srf_max);
+  for (double step = 1.25; !done_ && (std::isnan(stable_) || std::isnan(failed_)); step = std::min(2.0, step * 1.1)) {
+    from_gravity();
+    for (Slices s = try_factor(factor, Phase::kSearch); s.next();) co_yield Pause{};
+    if (done_) co_return;
+    const bool stood = verdict_ == Verdict::kStable;
+    if (stood && factor >= options_.srf_max) {
+      end_ = SearchEnd::kAboveMax, done_ = true;
+      reason_ = "the slope stands even at the highest strength reduction factor asked, " + format(options_.srf_max);
+    }
+    if (!stood && factor <= options_.srf_min) {
+      end_ = SearchEnd::kBelowMin, done_ = true;
+      reason_ = "the slope fails even at the lowest strength reduction factor asked, " + format(options_.srf_min);
+    }
+    factor = std::clamp(stood ? factor * step : factor / step, options_.srf_min, options_.srf_max);
+  }
+  while (!done_ && !closed()) {
+    from_gravity();
+    for (Slices s = try_factor((stable_ + failed_) / 2, Phase::kFailedEnd); s.next();) co_yield Pause{};
+  }
+}
+
+Slices GridSearch::run() {
+  for (Slices s = gravity(); s.next();) co_yield Pause{};
+  if (done_) co_return;
+  if (!options_.careful) {
+    for (Slices s = follow(); s.next();) co_yield Pause{};
+    if (std::isnan(flow_) && stable_ >= options_.srf_max) {
+      end_ = SearchEnd::kAboveMax;
+      reason_ = "the slope stands even at the highest strength reduction factor asked, " + format(options_.srf_max);
+      co_return;
+    }
+  }
+  if (!std::isnan(flow_)) {
+    for (Slices s = fast_bracket(); s.next();) co_yield Pause{};
+  } else {
+    for (Slices s = bisection(); s.next();) co_yield Pause{};
+  }
+  if (!done_) end_ = SearchEnd::kBracketed;
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,59 @@
+// The factor of safety on one grid: a bracket whose lower end stands and whose upper end fails, both shown.
+#pragma once
+
+#include <memory>
+
+#include "analysis/trial.h"
+
+namespace vbgpd {
+
+struct SearchOptions {
+  double srf_min = 0.1, srf_max = 20, tolerance = 0.005;
+  double guess = kNone;   ///< from a coarser grid, NaN = none
+  bool careful = false;   ///< plain bisection, every trial from the gravity state
+  std::int64_t step_limit = 0;
+};
+
+enum class SearchEnd { kBracketed, kBelowMin, kAboveMax, kNotConverged, kNoGravity, kDiverged };
+
+class GridSearch {
+ public:
+  GridSearch(Simulation& simulation, const SearchOptions& options, int level_number, std::vector<Trial>& trials, Progress& progress)
+      : simulation_(simulation), options_(options), trials_(trials), progress_(progress), level_(level_number) {}
+
+  /// Gravity, search, then trials until the bracket is as narrow as asked.
+  Slices run();
+
+  SearchEnd end() const { return end_; }
+  const std::string& reason() const { return reason_; }
+  double stable() const { return stable_; }
+  double failed() const { return failed_; }
+  /// Displacement level of the last failed trial.
+  double displacement_level() const { return displacement_level_; }
+  std::int64_t response_steps() const { return response_; }
+
+ private:
+  Slices gravity();
+  Slices follow();
+  Slices fast_bracket();
+  Slices bisection();
+  Slices try_factor(double factor, Phase phase);
+  void set_factor(double factor);
+  double notched(double factor) const;
+  bool closed() const { return failed_ - stable_ <= options_.tolerance * (1 + 1e-9); }
+
+  Simulation& simulation_;
+  SearchOptions options_;
+  std::vector<Trial>& trials_;
+  Progress& progress_;
+  int level_;
+  std::shared_ptr<SavedState> gravity_, standing_;
+  std::int64_t response_ = 0;
+  double elastic_displacement_ = 0, stable_ = kNone, failed_ = kNone, flow_ = kNone, displacement_level_ = kNone;
+  Verdict verdict_ = Verdict::kUndecided;
+  SearchEnd end_ = SearchEnd::kNotConverged;
+  std::string reason_;
+  bool done_ = false;
+};
+
+}  // namespace vbgpd

@@ -1,0 +1,91 @@
+// Long analyses in wall-clock slices. A job drives a Simulation from outside and can be stopped between any two steps.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "simulation/simulation.h"
+
+namespace vbgpd {
+
+enum class Phase : int { kGravity = 1, kSearch = 2, kStableEnd = 3, kFailedEnd = 4, kSlipSurface = 5 };
+
+struct Progress {
+  int level = 0, trial = 0;
+  Phase phase = Phase::kGravity;
+  std::int64_t steps = 0;
+  double fraction = 0;
+  double strength_reduction_factor = 1;
+  double srf_stable = kNone, srf_unstable = kNone;
+  double unbalanced_force_ratio = 0, max_displacement = 0;
+};
+
+enum class Verdict : int { kUndecided = 0, kStable = 1, kFailed = 2 };
+
+/// One strength reduction factor that was tried, with its evidence (method.md 5.3: three signals together).
+struct Trial {
+  int level = 0;
+  Verdict verdict = Verdict::kUndecided;
+  bool band_connected = false;
+  double strength_reduction_factor = 1;
+  double unbalanced_force_ratio = 0, unbalanced_force_slope = 0;
+  double displacement_level = 0, displacement_growth = 0;
+  double power_ratio = kNone;
+  std::int64_t steps = 0;
+  double wall_seconds = 0;
+};
+
+struct Level {
+  double spacing_x = 0, spacing_y = 0;
+  std::int64_t particles = 0, bonds = 0, steps = 0, trials = 0;
+  double srf_stable = kNone, srf_unstable = kNone, factor_of_safety = kNone;
+  double wall_seconds = 0, cpu_seconds = 0;
+};
+
+struct JobResult {
+  std::string status = "NOT_RUN";  ///< OK, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, DIVERGED
+  std::string reason, scheme, reduced, flow_rule;
+  double factor_of_safety = kNone, srf_stable = kNone, srf_unstable = kNone, error_estimate = kNone;
+  double displacement_level = kNone, sliding_area = kNone, energy_residual = kNone;
+  double unbalanced_force_ratio = kNone, max_displacement = kNone;
+  std::int64_t steps = 0;
+  double wall_seconds = 0, cpu_seconds = 0;
+  std::vector<Level> levels;
+  std::vector<Trial> trials;
+  std::vector<Point> slip_surface;  ///< left to right, scene coordinates
+};
+
+/// A named number of a job that may be set before its first run.
+struct JobOption {
+  const char* name;
+  const char* unit;
+  const char* doc;
+  double default_value, min_value, max_value;  ///< default NaN = from the scene
+};
+std::span<const JobOption> job_options();
+
+class Job {
+ public:
+  using Callback = std::function<bool(const Progress&)>;  ///< true = go on
+  virtual ~Job() = default;
+  /// kOk finished; kLimitReached, kCancelled call again; kNotConverged, kUnstable finished with that outcome; kDiverged.
+  /// wall_seconds <= 0 = no limit. The callback is called at most about ten times a second.
+  virtual Status run(double wall_seconds, const Callback& callback) = 0;
+  virtual void cancel() noexcept = 0;   ///< any thread, signal-safe
+  virtual void set(std::string_view name, double value) = 0;  ///< throws Error(kUnknownName | kRange | kState)
+  virtual double get(std::string_view name) const = 0;        ///< options and results by name; throws Error(kUnknownName)
+  virtual bool finished() const = 0;
+  virtual const Progress& progress() const = 0;
+  virtual const JobResult& result() const = 0;
+};
+
+/// Relaxes gravity, seismic and surface loads to equilibrium with the scene's strengths.
+std::unique_ptr<Job> make_equilibrium(Simulation& simulation);
+/// Factor of safety by strength reduction; leaves the simulation in the failing state of the finest grid.
+std::unique_ptr<Job> make_strength_reduction(Simulation& simulation);
+
+}  // namespace vbgpd

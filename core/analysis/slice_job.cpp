@@ -1,0 +1,98 @@
+#include "analysis/slice_job.h"
+
+#include <cmath>
+
+#include "analysis/format.h"
+
+namespace vbgpd {
+
+namespace {
+
+constexpr JobOption kOptions[] = {
+    {"srf_min", "1", "lowest strength reduction factor tried", kNone, 1e-3, 1e3},
+    {"srf_max", "1", "highest strength reduction factor tried", kNone, 1e-3, 1e3},
+    {"srf_tolerance", "1", "width of the bracket asked for", kNone, 1e-4, 0.5},
+    {"levels", "1", "grids: 1 plain, 2 extrapolated, 3 with a check of the order", 2, 1, 3},
+    {"careful", "1", "0 fast search, then verification; 1 plain bisection from the gravity state", 0, 0, 1},
+    {"step_limit", "1", "steps after which a trial is undecided; 0 = 100 response times", 0, 0, 1e12},
+};
+
+}  // namespace
+
+std::span<const JobOption> job_options() { return kOptions; }
+
+SliceJob::SliceJob(Simulation& simulation) : simulation_(simulation) {
+  for (const JobOption& o : kOptions) options_[o.name] = o.default_value;
+  const StrengthReductionDef& s = simulation.scene().strength_reduction;
+  options_["srf_min"] = s.srf_min, options_["srf_max"] = s.srf_max, options_["srf_tolerance"] = s.tolerance;
+}
+
+Status SliceJob::run(double wall_seconds, const Callback& callback) {
+  if (finished_) return outcome_;
+  if (!started_) slices_ = analysis(), started_ = true;
+  cancel_.store(false, std::memory_order_relaxed);
+  const Stopwatch watch;
+  double called = 0;
+  constexpr double kCallEvery = 0.1;
+  const double cpu_before = result_.cpu_seconds, wall_before = result_.wall_seconds;
+  Status status = Status::kOk;
+  for (;;) {
+    const bool more = slices_.next();
+    const double now = watch.wall();
+    result_.wall_seconds = wall_before + now;
+    result_.cpu_seconds = cpu_before + watch.cpu();
+    result_.steps = progress_.steps;
+    if (!more) {
+      finished_ = true;
+      progress_.fraction = 1;
+      return outcome_;
+    }
+    if (callback && now - called >= kCallEvery) {
+      called = now;
+      if (!callback(progress_)) status = Status::kCancelled;
+    }
+    if (cancel_.load(std::memory_order_relaxed)) status = Status::kCancelled;
+    if (status == Status::kOk && wall_seconds > 0 && now >= wall_seconds) status = Status::kLimitReached;
+    if (status != Status::kOk) return status;
+  }
+}
+
+void SliceJob::set(std::string_view name, double value) {
+  for (const JobOption& o : kOptions) {
+    if (name != o.name) continue;
+    if (started_) throw Error(Status::kState, std::string(name) + ": options can be set before the first run only");
+    if (!(value >= o.min_value && value <= o.max_value)) {
+      Issue issue;
+      issue.status = Status::kRange, issue.object = ObjectKind::kJob, issue.value = value;
+      issue.text = std::string(name) + " = " + format(value) + ": must be in [" + format(o.min_value) + ", " + format(o.max_value) + "]";
+      throw Error(issue);
+    }
+    options_[o.name] = value;
+    return;
+  }
+  throw Error(Status::kUnknownName, "no option of a job is named '" + std::string(name) + "'");
+}
+
+double SliceJob::get(std::string_view name) const {
+  const JobResult& r = result_;
+  if (const auto found = options_.find(std::string(name)); found != options_.end() && name != "levels") return found->second;
+  if (name == "factor_of_safety") return r.factor_of_safety;
+  if (name == "srf_stable") return r.srf_stable;
+  if (name == "srf_unstable") return r.srf_unstable;
+  if (name == "error_estimate") return r.error_estimate;
+  if (name == "displacement_level") return r.displacement_level;
+  if (name == "sliding_area") return r.sliding_area;
+  if (name == "energy_residual") return r.energy_residual;
+  if (name == "unbalanced_force_ratio") return r.unbalanced_force_ratio;
+  if (name == "max_displacement") return r.max_displacement;
+  if (name == "levels") return started_ ? static_cast<double>(r.levels.size()) : option("levels");
+  if (name == "trials") return static_cast<double>(r.trials.size());
+  if (name == "steps") return static_cast<double>(r.steps);
+  if (name == "particles") return static_cast<double>(simulation_.particle_count());
+  if (name == "bonds") return static_cast<double>(simulation_.bond_count());
+  if (name == "wall_seconds") return r.wall_seconds;
+  if (name == "cpu_seconds") return r.cpu_seconds;
+  throw Error(Status::kUnknownName, "no value of a job is named '" + std::string(name) + "'");
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,83 @@
+#include "analysis/trial.h"
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <optional>
+
+namespace vbgpd {
+
+namespace {
+
+double wall_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+constexpr std::int64_t kWindow = 10;  // steps between two looks
+
+}  // namespace
+
+Stopwatch::Stopwatch() : wall_(wall_now()), cpu_(cpu_now()) {}
+double Stopwatch::wall() const { return wall_now() - wall_; }
+double Stopwatch::cpu() const { return cpu_now() - cpu_; }
+
+/// The first two signals of a failure: unbalanced force on a plateau, displacement growing and not slowing down, over one response
+/// time without a restart of the momentum (a restart means that the forces turned against the motion).
+bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
+  const auto span = static_cast<std::size_t>(std::max<std::int64_t>(4, response_ / kWindow));
+  if (history.size() <= span || last.since_restart < response_) return false;
+  const Window &now = history.back(), &half = history[history.size() - 1 - span / 2], &then = history[history.size() - 1 - span];
+  trial.unbalanced_force_slope = then.ratio > 0 && now.ratio > 0 ? std::log(now.ratio / then.ratio) : 0;
+  trial.displacement_growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
+  const bool plateau = trial.unbalanced_force_slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
+  const bool grows = trial.displacement_growth > rules_.growth && now.displacement - half.displacement >= half.displacement - then.displacement;
+  return plateau && grows && last.power_ratio < 1;
+}
+
+Slices TrialRun::run(Trial& trial, Progress& progress) {
+  const Stopwatch watch;
+  const std::int64_t limit = rules_.step_limit > 0 ? rules_.step_limit : 100 * response_;
+  const RelaxOptions options;
+  const double factor = trial.strength_reduction_factor;
+  std::vector<Window> history;
+  int at_rest = 0;
+  std::optional<Instant> before;
+  std::int64_t band_due = 0;
+  simulation_.halt();
+  for (;;) {
+    const RelaxReport r = simulation_.relax(kWindow, options);
+    trial.steps += r.steps, progress.steps += r.steps;
+    history.push_back({trial.steps, r.unbalanced_force_ratio, r.max_displacement});
+    trial.unbalanced_force_ratio = progress.unbalanced_force_ratio = r.unbalanced_force_ratio;
+    progress.max_displacement = r.max_displacement;
+    trial.displacement_level = r.max_displacement / simulation_.displacement_scale();
+    trial.power_ratio = factor * r.power_ratio;
+    trial.wall_seconds = watch.wall();
+    if (r.diverged) {
+      diverged_ = true;
+      co_return;
+    }
+    at_rest = r.unbalanced_force_ratio < rules_.equilibrium ? at_rest + 1 : 0;
+    if (at_rest >= rules_.equilibrium_windows) {
+      trial.verdict = Verdict::kStable;
+      trial.unbalanced_force_slope = trial.displacement_growth = 0;
+      co_return;
+    }
+    // the third signal is looked at once the first two have held for a quarter of a response time more
+    if (!failing(history, r, trial)) before.reset();
+    else if (!before) before = instant(simulation_), band_due = trial.steps + std::max<std::int64_t>(2 * kWindow, response_ / 4);
+    else if (trial.steps >= band_due) {
+      trial.band_connected = band_connected(simulation_, *before, instant(simulation_));
+      if (trial.band_connected) {
+        trial.verdict = Verdict::kFailed;
+        co_return;
+      }
+      before = instant(simulation_), band_due = trial.steps + response_;
+    }
+    if (trial.steps >= limit) co_return;  // undecided: a step limit is never a verdict
+    co_yield Pause{};
+  }
+}
+
+}  // namespace vbgpd

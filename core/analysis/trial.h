@@ -1,0 +1,54 @@
+// One strength reduction factor: does the slope stand, does it fail, or can it not be told?
+#pragma once
+
+#include "analysis/job.h"
+#include "analysis/mechanism.h"
+#include "analysis/slices.h"
+
+namespace vbgpd {
+
+/// Thresholds of a verdict. Ratios of forces, steps and displacements only: nothing has a dimension.
+struct TrialRules {
+  double equilibrium = 1e-5;      ///< stable: unbalanced force ratio below this ...
+  int equilibrium_windows = 5;    ///< ... in so many windows of ten steps on end
+  double plateau_slope = -0.1;    ///< failed: ln R fell by less than this over a response time ...
+  double plateau_level = 3;       ///< ... and R stays above so many times `equilibrium`
+  double growth = 0.02;           ///< failed: u_max grew by this share of its elastic value over a response time, not slower than before
+  std::int64_t step_limit = 0;    ///< then undecided; 0 = 100 response times
+};
+
+/// Runs a simulation at its present strength reduction factor from its present state.
+class TrialRun {
+ public:
+  TrialRun(Simulation& simulation, const TrialRules& rules, std::int64_t response_steps, double elastic_displacement)
+      : simulation_(simulation), rules_(rules), response_(response_steps), elastic_(elastic_displacement) {}
+
+  /// Relaxes until a verdict; `trial` and `progress` are kept up to date. The state is left where the verdict fell.
+  Slices run(Trial& trial, Progress& progress);
+  bool diverged() const { return diverged_; }
+
+ private:
+  struct Window {
+    std::int64_t steps;
+    double ratio, displacement;
+  };
+  bool failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const;
+  Simulation& simulation_;
+  TrialRules rules_;
+  std::int64_t response_;
+  double elastic_;
+  bool diverged_ = false;
+};
+
+/// Wall and CPU seconds since it was made.
+class Stopwatch {
+ public:
+  Stopwatch();
+  double wall() const;
+  double cpu() const;
+
+ private:
+  double wall_, cpu_;
+};
+
+}  // namespace vbgpd

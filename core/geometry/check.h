@@ -1,0 +1,16 @@
+// Exact checks of the profile polygons. CGAL (LGPL parts only) lives behind this header and nowhere else.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene_def.h"
+
+namespace vbgpd {
+
+/// Every geometric fault of a scene, found with exact predicates on the coordinates as given: exterior or layer not simple
+/// (which edges cross, where), repeated or collinear-degenerate vertices, zero area, layer wholly outside the exterior,
+/// boundary polyline that touches nothing, load off the ground surface, soil left without a material.
+/// Warnings: a layer partly outside, a layer wholly painted over.
+std::vector<Issue> check_geometry(const SceneDef& scene);
+
+}  // namespace vbgpd

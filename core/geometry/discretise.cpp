@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/cut_pairs.h"
+#include "geometry/format.h"
+#include "geometry/section.h"
+#include "geometry/soil.h"
+#include "geometry/walls.h"
+
+namespace vbgpd {
+namespace {
+
+void check_arguments(const Lattice& lattice, int reach, const Polygon& exterior) {
+  if (!(lattice.spacing.minCoeff() > 0) || !lattice.spacing.allFinite() || !lattice.origin.allFinite())
+    throw Error(Status::kRange, "the lattice needs a finite origin and spacings above 0, not " +
+                                    number(lattice.spacing.x()) + " and " + number(lattice.spacing.y()) + " m");
+  if (reach < 0) throw Error(Status::kArgument, "the walls cannot be " + std::to_string(reach) + " cells thick");
+  if (exterior.size() < 3)
+    throw Error(Status::kGeometry, "the exterior of the profile has " + std::to_string(exterior.size()) +
+                                       " distinct vertices; it needs at least 3");
+}
+
+std::vector<Vertices> layer_polygons(const SceneDef& scene, const Vec2& origin) {
+  std::vector<Vertices> result;
+  for (const LayerDef& layer : scene.layers) result.push_back(local(layer.polygon, origin));
+  return result;
+}
+
+std::vector<Seed> merged(const std::vector<Seed>& soil, const std::vector<Seed>& walls) {
+  std::vector<Seed> all;
+  all.reserve(soil.size() + walls.size());
+  std::merge(soil.begin(), soil.end(), walls.begin(), walls.end(), std::back_inserter(all),
+             [](const Seed& a, const Seed& b) { return a.ix != b.ix ? a.ix < b.ix : a.iy < b.iy; });
+  return all;
+}
+
+void check_count(std::size_t count, std::int64_t max_particles) {
+  const std::int64_t most = max_particles > 0 ? max_particles : std::numeric_limits<Index>::max();
+  if (static_cast<std::int64_t>(count) <= most) return;
+  throw Error(Issue{.status = Status::kLimit, .object = ObjectKind::kProfile, .value = static_cast<double>(count),
+                    .text = "the section needs " + std::to_string(count) + " particles (walls included), more than the " +
+                            std::to_string(most) + " allowed: use a larger spacing or allow more particles"});
+}
+
+Real ground_height(const std::vector<Point>& ground, const Box& box) {
+  const auto [toe, crest] =
+      std::minmax_element(ground.begin(), ground.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
+  const Real height = crest->y - toe->y;
+  return height > 1e-9 * box.extent() ? height : box.size().y();
+}
+
+}  // namespace
+
+Section discretise(const SceneDef& scene, const Lattice& lattice, int reach, std::int64_t max_particles) {
+  const Polygon outline = counter_clockwise(scene.exterior);
+  check_arguments(lattice, reach, outline);
+  const Vertices exterior = local(outline, lattice.origin);
+  const Box box = box_of(outline);
+  const Real noise = coordinate_noise(box);
+  const Grid grid = make_grid(lattice, exterior, layer_polygons(scene, lattice.origin), noise);
+
+  Soil soil = cut_soil(exterior, grid, lattice.spacing, max_particles);
+  assign_materials(scene, lattice.origin, grid, lattice.spacing, soil);
+  merge_slivers(grid, lattice.spacing, std::max(Real(1e-9), 8 * noise / lattice.spacing.minCoeff()), soil);
+
+  Section section;
+  section.lattice = lattice;
+  section.boundaries = boundaries_of(scene);
+  const std::vector<HeldEdge> held = held_edges(section.boundaries, exterior, lattice.origin);
+  section.seeds = merged(soil.seeds, wall_seeds(held, exterior, soil.seeds, lattice.spacing, reach));
+  check_count(section.seeds.size(), max_particles);
+  section.cut_pairs = cut_pairs(exterior, held, section.seeds, lattice.spacing);
+  for (Seed& seed : section.seeds) seed.centroid += lattice.origin;
+  for (std::size_t i : outline_of(exterior).ground) section.ground.push_back(outline[i]);
+  section.area = signed_area(exterior);
+  section.height = ground_height(section.ground, box);
+  return section;
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,45 @@
+// Return to a cone sqrt(J2) + 3 alpha m = k with a cap on the mean stress: the algorithm behind Drucker-Prager, undrained and elastic.
+#pragma once
+
+#include "material/constants.h"
+#include "material/stress.h"
+
+namespace vbgpd {
+inline namespace VBGPD_ISA {
+
+/// The constants of a cone, spread over the lanes.
+template <class R>
+struct Cone {
+  static constexpr int kAlgorithm = 0;
+  R shear, bulk, a, k, b, t;
+  VBGPD_INLINE explicit Cone(const LawConstants& c)
+      : shear(R{} + c.shear_modulus), bulk(R{} + c.bulk_modulus), a(R{} + c.a), k(R{} + c.k), b(R{} + c.b), t(R{} + c.t) {}
+
+  /// Closed-form return (method 4.3): mean stress capped at t, then
+  ///   dlambda = f / (G + 9 K alpha_phi alpha_psi),  sqrt(J2) -= G dlambda,  m -= 3 K alpha_psi dlambda,
+  /// and the apex where sqrt(J2) would turn negative. Exact: a second return changes nothing.
+  VBGPD_INLINE Returned<R> returned(const Stress<R>& trial) const {
+    const R m_cap = smaller(trial.m, t);
+    const R limit = k - a * m_cap;  // strength at the capped mean stress
+    const R j2 = trial.j2();
+    const auto yields = (j2 > limit * limit) | (trial.m > t);
+    if (!any(yields)) return {trial, false};
+    const R zero = R{};
+    const R root_j2 = root(j2);
+    const R excess = larger(root_j2 - limit, zero);
+    const auto capped = trial.m > t;
+    const R dilation = select(capped, zero, b);  // at the cap the mean stress is pinned: no dilatancy
+    const R lambda = excess / (shear + bulk * a * dilation);
+    R root_new = root_j2 - shear * lambda;
+    R m_new = m_cap - bulk * dilation * lambda;
+    const auto apex = root_new < zero;
+    root_new = select(apex, zero, root_new);
+    m_new = select(apex, k / larger(a, R{} + 1e-300), m_new);
+    const auto sheared = root_j2 > zero;
+    const R ratio = select(sheared & yields, root_new / select(sheared, root_j2, R{} + 1.0), R{} + 1.0);
+    return {{trial.xx * ratio, trial.yy * ratio, trial.xy * ratio, select(yields, m_new, trial.m)}, true};
+  }
+};
+
+}  // namespace VBGPD_ISA
+}  // namespace vbgpd

@@ -1,0 +1,27 @@
+// Stress of plane strain, split into mean and deviator. Tension positive; m = (xx + yy + zz)/3, so m = -p.
+#pragma once
+
+#include "base/pack.h"
+
+namespace vbgpd {
+inline namespace VBGPD_ISA {
+
+/// sigma = s + m I with s_zz = -(s_xx + s_yy). R is double or Pack.
+template <class R>
+struct Stress {
+  R xx, yy, xy;  ///< in-plane deviator, Pa
+  R m;           ///< mean stress, Pa, tension positive
+  VBGPD_INLINE R zz() const { return -(xx + yy); }
+  /// Second invariant of the deviator, J2 = s:s/2.
+  VBGPD_INLINE R j2() const { return xx * xx + yy * yy + xx * yy + xy * xy; }
+};
+
+/// What a return mapping did: the stress on the yield surface and where it moved anything.
+template <class R>
+struct Returned {
+  Stress<R> stress;
+  bool any;  ///< true when at least one lane yielded
+};
+
+}  // namespace VBGPD_ISA
+}  // namespace vbgpd

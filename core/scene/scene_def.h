@@ -1,0 +1,82 @@
+// What the user says: plain data, SI units, angles in degrees. Nothing here computes anything.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace vbgpd {
+
+struct Point {
+  double x = 0, y = 0;  ///< m; x to the right, y up; map-sized coordinates are welcome
+};
+using Polygon = std::vector<Point>;  ///< any winding, first vertex not repeated (a repeated last vertex is dropped)
+
+/// A soil. `law` names an entry of material/any_material.h. kNone (NaN) marks a value the user left out.
+struct MaterialDef {
+  std::string name;
+  std::string law = "mohr_coulomb";  ///< elastic, drucker_prager, mohr_coulomb, undrained
+  double unit_weight = kNone;        ///< N/m3, total, required
+  double young_modulus = 1e8;        ///< Pa; the factor of safety does not depend on it
+  double poisson_ratio = 0.3;        ///< in (-1, 0.5)
+  double cohesion = kNone;           ///< Pa; required by every law but elastic
+  double friction_angle = 0;         ///< degrees, [0, 90)
+  double dilatancy_angle = 0;        ///< degrees, [0, friction_angle]
+  double tension_cutoff = kNone;     ///< Pa, >= 0; absent = the apex of the cone
+  double cohesion_gradient = 0;      ///< Pa per metre of depth below cohesion_datum (undrained), >= 0
+  double cohesion_datum = kNone;     ///< elevation y, m; required with cohesion_gradient
+};
+
+/// A region of one material. Layers are painted in order: a later one overwrites.
+struct LayerDef {
+  std::string material;  ///< name of a material
+  Polygon polygon;       ///< empty = fills the exterior; parts outside the exterior are ignored
+};
+
+enum class BoundaryKind { kFree, kFixed, kRoller, kVelocity };
+
+/// How a piece of the outline is held. Either `side` or `polyline` is given.
+struct BoundaryDef {
+  std::string name;      ///< optional
+  std::string side;      ///< "base", "left", "right", or empty when a polyline is given
+  Polygon polyline;      ///< points along the exterior, >= 2
+  BoundaryKind kind = BoundaryKind::kFixed;
+  double vx = 0, vy = 0; ///< m/s, kVelocity only
+};
+
+/// Vertical pressure on the ground surface between x0 and x1, linear from pressure to pressure_end (Pa, down positive).
+struct LoadDef {
+  double x0 = kNone, x1 = kNone, pressure = kNone, pressure_end = kNone;
+};
+
+/// A value printed in the literature for this scene, carried along for reports.
+struct PublishedValue {
+  std::string method, source;
+  double factor_of_safety = kNone, factor_of_safety_end = kNone;  ///< the end of a band, or NaN
+};
+
+struct StrengthReductionDef {
+  double srf_min = 0.1;      ///< search range of the strength reduction factor
+  double srf_max = 20;
+  double tolerance = 0.005;  ///< width of the bracket asked for
+};
+
+struct SceneDef {
+  std::string name, source;
+  Polygon exterior;
+  std::vector<MaterialDef> materials;
+  std::vector<LayerDef> layers;
+  std::vector<BoundaryDef> boundaries;  ///< empty = base fixed, left and right rollers
+  std::vector<LoadDef> loads;
+  double kh = 0, kv = 0;   ///< pseudo-static coefficients: extra body force kh*unit_weight in +x, kv*unit_weight in -y
+  double gravity = 9.81;   ///< m/s2, turns unit weight into density
+  double spacing = kNone;  ///< m between particles, required
+  std::string bond = "virtual_bond";   ///< virtual_bond (VB-S) or none (corrected nodal SPH)
+  std::string kernel = "wendland_c2";  ///< wendland_c2 or cubic_spline
+  double smoothing_ratio = 1.3;        ///< smoothing length / spacing; the support radius is twice the smoothing length
+  StrengthReductionDef strength_reduction;
+  std::vector<PublishedValue> published;
+};
+
+}  // namespace vbgpd

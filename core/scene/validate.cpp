@@ -1,0 +1,325 @@
+#include "scene/validate.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "base/types.h"
+#include "scene/properties.h"
+#include "scene/wording.h"
+
+namespace vbgpd {
+namespace {
+
+constexpr std::array<std::string_view, 4> kLaws{"elastic", "drucker_prager", "mohr_coulomb", "undrained"};
+constexpr std::array<std::string_view, 2> kBonds{"virtual_bond", "none"};
+constexpr std::array<std::string_view, 2> kKernels{"wendland_c2", "cubic_spline"};
+constexpr std::array<std::string_view, 3> kSides{"base", "left", "right"};
+constexpr int kPointsReported = 10;  // of one polygon; a file of garbage coordinates needs no million messages
+
+std::string quoted(std::string_view text) { return std::string("\"").append(text).append("\""); }
+
+/// UDUNITS as people write it behind a number, with the space before it.
+std::string unit_text(std::string_view unit) {
+  if (unit == "1") return "";
+  if (unit == "degree") return " degrees";
+  if (const auto blank = unit.find(' '); blank != unit.npos) {  // "N m-3" -> "N/m3"
+    std::string below(unit.substr(blank + 1));
+    std::erase(below, '-');
+    if (below.back() == '1') below.pop_back();
+    return std::string(" ").append(unit.substr(0, blank)).append("/").append(below);
+  }
+  return std::string(" ").append(unit);
+}
+
+std::string range_text(const Property& p) {
+  const bool below = std::isfinite(p.min_value), above = std::isfinite(p.max_value);
+  if (below && above)
+    return std::string("in ") + (p.min_open ? "(" : "[") + number_text(p.min_value) + ", " + number_text(p.max_value) +
+           (p.max_open ? ")" : "]");
+  return (p.min_open ? "> " : ">= ") + number_text(p.min_value);
+}
+
+bool in_range(const Property& p, double v) {
+  return (p.min_open ? v > p.min_value : v >= p.min_value) && (p.max_open ? v < p.max_value : v <= p.max_value);
+}
+
+/// Gathers the issues of one object after the other; `label` starts every sentence: materials[2] 'clay'.
+class Report {
+ public:
+  std::vector<Issue> issues;
+
+  void about(ObjectKind object, std::int64_t id, std::string label) {
+    object_ = object, id_ = id, label_ = std::move(label);
+  }
+
+  Issue& add(Severity severity, Status status, double value, const std::string& text) {
+    Issue issue;
+    issue.severity = severity, issue.status = status, issue.object = object_, issue.object_id = id_;
+    issue.value = value;
+    issue.text = label_ + ": " + text;
+    return issues.emplace_back(std::move(issue));
+  }
+  Issue& error(Status status, const std::string& text, double value = kNone) {
+    return add(Severity::kError, status, value, text);
+  }
+  void warn(const std::string& text, double value = kNone) { add(Severity::kWarning, Status::kRange, value, text); }
+
+  void name(std::string_view field, std::string_view value, std::span<const std::string_view> known) {
+    for (const auto candidate : known)
+      if (candidate == value) return;
+    error(Status::kUnknownName, std::string(field) + " " + quoted(value) + " is not known: use one of " +
+                                    list_text(known) + suggestion_text(value, known));
+  }
+
+ private:
+  ObjectKind object_ = ObjectKind::kNone;
+  std::int64_t id_ = -1;
+  std::string label_;
+};
+
+std::string label(const char* list, std::size_t i, const std::string& name) {
+  return std::string(list) + "[" + std::to_string(i) + "]" + (name.empty() ? "" : " '" + name + "'");
+}
+
+std::string range_hint(const Property& p, double v) {
+  const std::string_view name = p.name;
+  if (name == "poisson_ratio" && v >= 0.5) return "; use 0.49 for undrained soil";
+  if (name == "kh" || name == "kv") return "; it is a fraction of the weight";
+  return {};
+}
+
+/// Missing, not finite or out of range: everything the property table says about one object.
+void check_numbers(const SceneDef& scene, ObjectKind object, std::int64_t id, Report& report) {
+  for (const Property& p : properties()) {
+    if (p.object != object) continue;
+    const double v = *find_property(scene, object, id, p.name);
+    const std::string name = p.name;
+    if (std::isnan(v) && p.required) {
+      report.error(Status::kArgument, name + " is missing: a number in" + unit_text(p.unit) + " is needed. " + p.doc);
+    } else if (std::isnan(v) && std::isnan(p.default_value)) {
+      continue;  // left out
+    } else if (!std::isfinite(v)) {
+      report.error(Status::kRange, name + " = " + number_text(v) + ": must be a finite number", v);
+    } else if (!in_range(p, v)) {
+      report.error(Status::kRange,
+                   name + " = " + number_text(v) + unit_text(p.unit) + ": must be " + range_text(p) + range_hint(p, v),
+                   v);
+    }
+  }
+}
+
+/// Vertices without a repeated last one.
+std::size_t corner_count(const Polygon& polygon) {
+  const bool closed =
+      polygon.size() > 1 && polygon.front().x == polygon.back().x && polygon.front().y == polygon.back().y;
+  return polygon.size() - closed;
+}
+
+void check_points(const Polygon& points, const std::string& name, Report& report) {
+  int reported = 0;
+  for (std::size_t i = 0; i < points.size() && reported < kPointsReported; ++i) {
+    const Point& p = points[i];
+    if (std::isfinite(p.x) && std::isfinite(p.y)) continue;
+    const bool x_bad = !std::isfinite(p.x);
+    Issue& issue = report.error(Status::kRange,
+                                name + "[" + std::to_string(i) + "]." + (x_bad ? "x" : "y") + " = " +
+                                    number_text(x_bad ? p.x : p.y) + ": must be a finite number",
+                                x_bad ? p.x : p.y);
+    issue.item = static_cast<std::int64_t>(i);
+    issue.x = p.x, issue.y = p.y;
+    if (++reported == kPointsReported) issue.text += " (further points of this list are not reported)";
+  }
+}
+
+void check_corners(const Polygon& polygon, const std::string& name, Report& report) {
+  if (const std::size_t n = corner_count(polygon); n < 3)
+    report.error(Status::kGeometry, name + " has " + std::to_string(n) + (n == 1 ? " vertex" : " vertices") +
+                                        ": an area needs at least 3");
+  check_points(polygon, name, report);
+}
+
+/// Values that are allowed but look like a slip of units.
+void check_plausible(const MaterialDef& m, Report& report) {
+  const auto warn = [&](const char* name, double v, const char* unit, const std::string& text) {
+    report.warn(std::string(name) + " = " + number_text(v) + unit + " " + text, v);
+  };
+  if (m.unit_weight >= 1 && m.unit_weight < 1000)
+    warn("unit_weight", m.unit_weight, " N/m3",
+         "looks like " + number_text(m.unit_weight) + " kN/m3: with units SI write " +
+             number_text(1000 * m.unit_weight) + ", or set units to kPa");
+  if (m.unit_weight >= 1e6)
+    warn("unit_weight", m.unit_weight, " N/m3",
+         "looks like " + number_text(m.unit_weight / 1000) + " N/m3 written with units kPa: set units to SI");
+  else if (m.unit_weight > 50000)
+    warn("unit_weight", m.unit_weight, " N/m3", "is more than any soil weighs: 15000 to 25000 is usual");
+  if (m.friction_angle > 0 && m.friction_angle <= 1.6)
+    warn("friction_angle", m.friction_angle, " degrees",
+         "looks like radians: " + number_text(m.friction_angle) + " rad is " +
+             number_text(m.friction_angle * 180 / kPi) + " degrees");
+  if (m.friction_angle > 60 && m.friction_angle < 90)
+    warn("friction_angle", m.friction_angle, " degrees", "is more than any soil has: 15 to 45 is usual");
+  if (m.cohesion > 1e7)
+    warn("cohesion", m.cohesion, " Pa",
+         "is that of concrete; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI");
+  if (m.cohesion >= 1 && m.cohesion < 200)
+    warn("cohesion", m.cohesion, " Pa",
+         "looks like " + number_text(m.cohesion) + " kPa: with units SI write " + number_text(1000 * m.cohesion) +
+             ", or set units to kPa");
+  if (m.young_modulus > 0 && m.young_modulus < 1e4)
+    warn("young_modulus", m.young_modulus, " Pa", "is softer than any soil: 1e6 to 1e9 is usual; is it in kPa or MPa?");
+}
+
+void check_strength(const MaterialDef& m, Report& report) {
+  if (m.law == "elastic") return;
+  if (std::isnan(m.cohesion))
+    report.error(Status::kArgument,
+                 "cohesion is missing: law " + quoted(m.law) + " needs it (Pa, 0 is allowed with friction)");
+  if (m.dilatancy_angle > m.friction_angle)
+    report.error(Status::kRange,
+                 "dilatancy_angle = " + number_text(m.dilatancy_angle) +
+                     " degrees: must not exceed friction_angle = " + number_text(m.friction_angle) + " degrees",
+                 m.dilatancy_angle);
+  if (m.cohesion_gradient > 0 && std::isnan(m.cohesion_datum))
+    report.error(Status::kArgument, "cohesion_gradient = " + number_text(m.cohesion_gradient) +
+                                        " Pa/m needs cohesion_datum, the elevation below which cohesion grows");
+  if (m.law == "undrained") {
+    if (m.friction_angle > 0)
+      report.error(Status::kRange,
+                   "friction_angle = " + number_text(m.friction_angle) +
+                       " degrees: law \"undrained\" has cohesion only; use law \"mohr_coulomb\" for soil with friction",
+                   m.friction_angle);
+  } else if (m.cohesion_gradient > 0) {
+    report.error(Status::kUnsupported, "cohesion_gradient = " + number_text(m.cohesion_gradient) +
+                                           " Pa/m: only law \"undrained\" has cohesion that grows with depth");
+  }
+  if (m.cohesion == 0 && m.friction_angle == 0 && !(m.cohesion_gradient > 0))
+    report.error(Status::kRange, "cohesion = 0 and friction_angle = 0: soil without any strength cannot stand", 0);
+  const double apex = m.cohesion / std::tan(radians(m.friction_angle));
+  if (m.friction_angle > 0 && m.tension_cutoff > apex)
+    report.warn("tension_cutoff = " + number_text(m.tension_cutoff) +
+                    " Pa has no effect: the apex of the cone, cohesion / tan(friction_angle), is at " +
+                    number_text(apex) + " Pa",
+                m.tension_cutoff);
+}
+
+void check_materials(const SceneDef& scene, Report& report) {
+  if (scene.materials.empty()) {
+    report.about(ObjectKind::kMaterial, -1, "materials");
+    report.error(Status::kArgument, "the list is empty: a scene needs at least one soil");
+  }
+  std::map<std::string_view, std::size_t> first_of_name;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const MaterialDef& m = scene.materials[i];
+    const auto id = static_cast<std::int64_t>(i);
+    report.about(ObjectKind::kMaterial, id, label("materials", i, m.name));
+    if (m.name.empty()) report.error(Status::kArgument, "name is missing: layers refer to a soil by its name");
+    if (const auto [at, fresh] = first_of_name.emplace(m.name, i); !fresh && !m.name.empty())
+      report.error(Status::kArgument,
+                   "the name is already that of materials[" + std::to_string(at->second) + "]: names must differ");
+    report.name("law", m.law, kLaws);
+    check_numbers(scene, ObjectKind::kMaterial, id, report);
+    check_strength(m, report);
+    check_plausible(m, report);
+  }
+}
+
+void check_layers(const SceneDef& scene, Report& report) {
+  if (scene.layers.empty()) {
+    report.about(ObjectKind::kLayer, -1, "layers");
+    report.error(Status::kArgument,
+                 "the list is empty: a layer with a material and no polygon fills the whole exterior");
+  }
+  std::vector<std::string_view> names;
+  for (const MaterialDef& m : scene.materials) names.push_back(m.name);
+  for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+    const LayerDef& layer = scene.layers[i];
+    report.about(ObjectKind::kLayer, static_cast<std::int64_t>(i), label("layers", i, layer.material));
+    if (layer.material.empty()) report.error(Status::kArgument, "material is missing: name one of " + list_text(names));
+    else report.name("material", layer.material, names);
+    if (!layer.polygon.empty()) check_corners(layer.polygon, "polygon", report);
+  }
+}
+
+void check_boundaries(const SceneDef& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {
+    const BoundaryDef& b = scene.boundaries[i];
+    const auto id = static_cast<std::int64_t>(i);
+    report.about(ObjectKind::kBoundary, id, label("boundaries", i, b.name.empty() ? b.side : b.name));
+    if (b.side.empty() && b.polyline.empty())
+      report.error(Status::kArgument,
+                   "where is missing: give side (" + list_text(kSides) + ") or a polyline along the exterior");
+    if (!b.side.empty() && !b.polyline.empty())
+      report.error(Status::kArgument, "side and polyline are both given: keep the one that is meant");
+    if (!b.side.empty()) report.name("side", b.side, kSides);
+    if (b.polyline.size() == 1) report.error(Status::kGeometry, "polyline has 1 point: a line needs at least 2");
+    check_points(b.polyline, "polyline", report);
+    check_numbers(scene, ObjectKind::kBoundary, id, report);
+    if (b.kind != BoundaryKind::kVelocity && (b.vx != 0 || b.vy != 0))
+      report.warn("vx and vy have no effect: only a boundary of kind \"velocity\" moves");
+  }
+}
+
+void check_loads(const SceneDef& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+    const LoadDef& load = scene.loads[i];
+    const auto id = static_cast<std::int64_t>(i);
+    report.about(ObjectKind::kLoad, id, label("loads", i, ""));
+    check_numbers(scene, ObjectKind::kLoad, id, report);
+    if (load.x0 >= load.x1)
+      report.error(Status::kRange,
+                   "x0 = " + number_text(load.x0) + " m: must be left of x1 = " + number_text(load.x1) + " m", load.x0);
+    if (load.pressure < 0 || load.pressure_end < 0)
+      report.warn("a negative pressure pulls the ground up: loads are positive downwards",
+                  load.pressure < 0 ? load.pressure : load.pressure_end);
+  }
+}
+
+void check_settings(const SceneDef& scene, Report& report) {
+  report.about(ObjectKind::kProfile, -1, "scene");
+  check_numbers(scene, ObjectKind::kProfile, -1, report);
+  report.name("bond", scene.bond, kBonds);
+  report.name("kernel", scene.kernel, kKernels);
+  const auto& search = scene.strength_reduction;
+  if (search.srf_max <= search.srf_min)
+    report.error(
+        Status::kRange,
+        "srf_max = " + number_text(search.srf_max) + ": must be greater than srf_min = " + number_text(search.srf_min),
+        search.srf_max);
+}
+
+void check_published(const SceneDef& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.published.size(); ++i) {
+    const PublishedValue& value = scene.published[i];
+    report.about(ObjectKind::kProfile, -1, label("published", i, value.method));
+    const bool end_bad = std::isinf(value.factor_of_safety_end);
+    if (!std::isfinite(value.factor_of_safety) || end_bad)
+      report.error(Status::kRange, std::string(end_bad ? "factor_of_safety_end" : "factor_of_safety") + " = " +
+                                       number_text(end_bad ? value.factor_of_safety_end : value.factor_of_safety) +
+                                       ": must be a finite number");
+  }
+}
+
+}  // namespace
+
+std::vector<Issue> validate(const SceneDef& scene) {
+  Report report;
+  report.about(ObjectKind::kProfile, -1, "profile");
+  check_corners(scene.exterior, "exterior", report);
+  check_materials(scene, report);
+  check_layers(scene, report);
+  check_boundaries(scene, report);
+  check_loads(scene, report);
+  check_settings(scene, report);
+  check_published(scene, report);
+  return std::move(report.issues);
+}
+
+bool has_error(const std::vector<Issue>& issues) {
+  for (const Issue& issue : issues)
+    if (issue.severity == Severity::kError) return true;
+  return false;
+}
+
+}  // namespace vbgpd

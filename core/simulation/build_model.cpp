@@ -1,0 +1,158 @@
+#include "simulation/build_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "boundary/wall.h"
+#include "simulation/lattice_packs.h"
+#include "simulation/surface_load.h"
+#include "smoothing/any_kernel.h"
+
+namespace vbgpd {
+
+namespace {
+
+Strength strength_of(const MaterialDef& m) {
+  Strength s;
+  s.cohesion = std::isnan(m.cohesion) ? 0 : m.cohesion;
+  s.friction_angle = radians(m.friction_angle);
+  s.dilatancy_angle = radians(m.dilatancy_angle);
+  if (!std::isnan(m.tension_cutoff)) s.tension_cutoff = m.tension_cutoff;
+  return s;
+}
+
+/// A bond between two materials: moduli and strengths (c, tan phi, tan psi) by bond/bond_law.h, the law that can represent both.
+Strength joined_strength(const Strength& a, const Strength& b) {
+  Strength s;
+  s.cohesion = joined(a.cohesion, b.cohesion);
+  s.friction_angle = std::atan(joined(std::tan(a.friction_angle), std::tan(b.friction_angle)));
+  s.dilatancy_angle = std::atan(joined(std::tan(a.dilatancy_angle), std::tan(b.dilatancy_angle)));
+  s.tension_cutoff = std::min(a.tension_cutoff, b.tension_cutoff);
+  return s;
+}
+
+/// Elastic < undrained < Drucker-Prager < Mohr-Coulomb: each can represent the strengths of those before it.
+int generality(const AnyLaw& law) {
+  if (std::holds_alternative<MohrCoulomb>(law)) return 3;
+  if (std::holds_alternative<DruckerPrager>(law)) return 2;
+  return std::holds_alternative<Undrained>(law) ? 1 : 0;
+}
+
+void build_materials(const SceneDef& scene, Model& m) {
+  m.materials = static_cast<int>(scene.materials.size());
+  const auto n = scene.materials.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const MaterialDef &a = scene.materials[i], &b = scene.materials[j];
+      const AnyLaw la = *law_by_name(a.law), lb = *law_by_name(b.law);
+      const AnyLaw law = generality(la) >= generality(lb) ? la : lb;
+      Strength s = joined_strength(strength_of(a), strength_of(b));
+      if (!yields(la)) s = strength_of(b);  // against a rock that never yields the soil's own strength decides
+      if (!yields(lb)) s = strength_of(a);
+      const LawConstants ca = derive(Elastic{}, a.young_modulus, a.poisson_ratio, {});
+      const LawConstants cb = derive(Elastic{}, b.young_modulus, b.poisson_ratio, {});
+      LawConstants moduli;
+      moduli.shear_modulus = joined(ca.shear_modulus, cb.shear_modulus);
+      moduli.bulk_modulus = joined(ca.bulk_modulus, cb.bulk_modulus);
+      m.pair_law.push_back(law);
+      m.pair_strength.push_back(s);
+      m.pair_elastic.push_back(moduli);
+    }
+}
+
+void find_features(const SceneDef& scene, const Section& section, Model& m) {
+  std::vector<bool> used(scene.materials.size(), false);
+  for (const Seed& s : section.seeds) used[static_cast<std::size_t>(s.material)] = true;
+  Features f;
+  f.bond = *bond_law_by_name(scene.bond);
+  f.plastic = f.volumetric_plastic = f.cohesion_gradient = f.has_algorithm[0] = f.has_algorithm[1] = false;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) continue;
+    const MaterialDef& d = scene.materials[i];
+    const AnyLaw law = *law_by_name(d.law);
+    f.has_algorithm[static_cast<int>(algorithm_of(law))] = true;
+    f.plastic |= yields(law);
+    f.volumetric_plastic |= yields(law) && (d.friction_angle > 0 || !std::isnan(d.tension_cutoff));
+    f.cohesion_gradient |= yields(law) && d.cohesion_gradient > 0;
+  }
+  m.features = f;
+}
+
+void build_masses(const SceneDef& scene, const Section& section, Model& m) {
+  const auto n = static_cast<std::size_t>(m.storage);
+  for (Array* a : {&m.force_x, &m.force_y, &m.free_x, &m.free_y, &m.mass}) a->allocate(n, static_cast<int>(a - &m.force_x) + 2);
+  if (m.features.cohesion_gradient) m.extra_cohesion.allocate(n, 9);
+  // Weightless soil still needs inertia for dynamic steps: a weight that the loads would balance over the section's height.
+  Real heaviest = 0, load = 0;
+  for (const MaterialDef& d : scene.materials) heaviest = std::max(heaviest, d.unit_weight);
+  for (const LoadDef& l : scene.loads) load = std::max({load, std::fabs(l.pressure), std::fabs(l.pressure_end)});
+  m.height = section.height;
+  m.stress_scale = std::max(heaviest * m.height, load);
+  if (!(m.stress_scale > 0)) m.stress_scale = 1;
+  const Real least = 1e-6 * m.stress_scale / m.height;
+  for (std::size_t k = 0; k < section.seeds.size(); ++k) {
+    const Seed& seed = section.seeds[k];
+    const auto i = static_cast<std::size_t>(m.storage_of[k]);
+    const MaterialDef& d = scene.materials[static_cast<std::size_t>(seed.material)];
+    const Real weight = d.unit_weight * seed.volume;
+    const Real inertial = d.unit_weight > least ? d.unit_weight : m.stress_scale / m.height;
+    m.mass[i] = inertial * seed.volume / scene.gravity;
+    m.force_x[i] = scene.kh * weight;
+    m.force_y[i] = -(1 + scene.kv) * weight;
+    m.stiffness = std::max(m.stiffness, d.young_modulus);
+    if (m.features.cohesion_gradient && d.cohesion_gradient > 0) {
+      const Real y = section.lattice.center(seed.ix, seed.iy).y();
+      m.extra_cohesion[i] = d.cohesion_gradient * std::max<Real>(0, d.cohesion_datum - y);
+    }
+    WallMotion wall;
+    if (seed.hold == Hold::kFixed) wall = fixed_wall();
+    if (seed.hold == Hold::kVelocity) wall = moved_wall();
+    if (seed.hold == Hold::kRoller) wall = roller_wall(seed.normal.x(), seed.normal.y());
+    m.free_x[i] = wall.free_x;
+    m.free_y[i] = wall.free_y;
+    if (wall.guided) {
+      GuidedParticle g;
+      g.particle = m.storage_of[k];
+      g.prescribed = seed.hold == Hold::kVelocity ? 1 : 0;
+      const BoundaryDef& b = section.boundaries[static_cast<std::size_t>(seed.boundary)];
+      g.x = g.prescribed != 0 ? b.vx : seed.normal.x();
+      g.y = g.prescribed != 0 ? b.vy : seed.normal.y();
+      m.guided.push_back(g);
+    }
+  }
+}
+
+}  // namespace
+
+int support_reach(const SceneDef& scene) { return static_cast<int>(std::ceil(2 * scene.smoothing_ratio - 1e-9)); }
+
+std::vector<LawConstants> pair_constants(const Model& m, Real factor, bool elastic) {
+  std::vector<LawConstants> constants(m.pair_law.size());
+  for (std::size_t p = 0; p < constants.size(); ++p) {
+    LawConstants& c = constants[p];
+    if (!elastic) std::visit([&](auto law) { decltype(law)::derive(reduced(m.pair_strength[p], factor), c); }, m.pair_law[p]);
+    c.shear_modulus = m.pair_elastic[p].shear_modulus;
+    c.bulk_modulus = m.pair_elastic[p].bulk_modulus;
+  }
+  return constants;
+}
+
+Model build_model(const SceneDef& scene, const Section& section, int width) {
+  Model m;
+  m.width = width;
+  build_materials(scene, m);
+  find_features(scene, section, m);
+  const Real h = scene.smoothing_ratio * std::sqrt(section.lattice.spacing.x() * section.lattice.spacing.y());
+  build_packs(section, *kernel_by_name(scene.kernel), h, m);
+  build_masses(scene, section, m);
+  add_surface_loads(scene, section, m);
+  for (std::int64_t i = 0; i < m.storage; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    m.force_scale += std::fabs(m.force_x[n]) * m.free_x[n] + std::fabs(m.force_y[n]) * m.free_y[n];
+  }
+  return m;
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,77 @@
+// The tables of output fields and named numbers. To add a field: a line here and a case in simulation.cpp's read.
+#include <array>
+#include <limits>
+
+#include "simulation/simulation.h"
+
+namespace vbgpd {
+
+namespace {
+
+constexpr auto kParticle = Location::kParticle;
+constexpr auto kBond = Location::kBond;
+constexpr auto kReal = FieldType::kReal;
+constexpr auto kInteger = FieldType::kInteger;
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+constexpr FieldInfo kFields[] = {
+    {"position", "m", "present position x, y", kParticle, kReal, 2},
+    {"reference_position", "m", "position x, y in the undeformed section (centre of the lattice cell)", kParticle, kReal, 2},
+    {"displacement", "m", "displacement x, y since creation", kParticle, kReal, 2},
+    {"velocity", "m s-1", "velocity x, y (per pseudo-time after a quasi-static job)", kParticle, kReal, 2},
+    {"stress", "Pa", "Cauchy stress xx, yy, zz, xy, tension positive", kParticle, kReal, 4},
+    {"plastic_strain", "1", "engineering plastic shear strain sqrt(2 e:e), average of the bonds", kParticle, kReal, 1},
+    {"plastic_bond_fraction", "1", "share of the bonds that have yielded", kParticle, kReal, 1},
+    {"volume", "m2", "soil area of the particle, per metre run a volume", kParticle, kReal, 1},
+    {"mass", "kg", "mass per metre run", kParticle, kReal, 1},
+    {"material", "1", "index of the material", kParticle, kInteger, 1},
+    {"boundary", "1", "index of the boundary that holds a wall particle, -1 = soil", kParticle, kInteger, 1},
+    {"particle_id", "1", "stable id, soil first", kParticle, kInteger, 1},
+    {"bond_particles", "1", "ids of the two particles of a bond", kBond, kInteger, 2},
+    {"bond_state", "1", "0 elastic, 1 has yielded (plastic bond)", kBond, kInteger, 1},
+    {"bond_stress", "Pa", "longitudinal, tangential and shear stress of the bond in its own frame", kBond, kReal, 3},
+    {"bond_plastic_strain", "1", "engineering plastic shear strain of the bond", kBond, kReal, 1},
+};
+
+constexpr NamedValue kValues[] = {
+    {"damping", "1", "local damping coefficient of dynamic steps: f_d = -alpha |f| sgn v", 0, 0, 1, true, true},
+    {"strength_reduction_factor", "1", "F by which c and tan phi are divided", 1, 1e-3, 1e3, false, true},
+    {"time", "s", "simulated time", 0, 0, kInf, false, false},
+    {"steps", "1", "dynamic steps done", 0, 0, kInf, false, false},
+    {"time_step", "s", "time step of dynamic stepping", kNan, 0, kInf, false, false},
+    {"stable_time_step", "s", "2 / highest frequency, measured by power iteration", kNan, 0, kInf, false, false},
+    {"unbalanced_force_ratio", "1", "sum |f| / sum of weights and loads", kNan, 0, kInf, false, false},
+    {"max_displacement", "m", "largest displacement", 0, 0, kInf, false, false},
+    {"max_velocity", "m s-1", "largest velocity", 0, 0, kInf, false, false},
+    {"displacement_level", "1", "E u_max / (gamma H^2)", 0, 0, kInf, false, false},
+    {"total_mass", "kg", "mass of the soil per metre run", kNan, 0, kInf, false, false},
+    {"area", "m2", "area of the section", kNan, 0, kInf, false, false},
+    {"height", "m", "height of the slope", kNan, 0, kInf, false, false},
+    {"spacing_x", "m", "particle spacing in x", kNan, 0, kInf, false, false},
+    {"spacing_y", "m", "particle spacing in y", kNan, 0, kInf, false, false},
+    {"particles", "1", "soil and wall particles", kNan, 0, kInf, false, false},
+    {"bonds", "1", "virtual bonds", kNan, 0, kInf, false, false},
+    {"plastic_bonds", "1", "bonds that have yielded", 0, 0, kInf, false, false},
+    {"bytes", "1", "memory of model and state", kNan, 0, kInf, false, false},
+    {"kinetic_energy", "J", "per metre run", 0, 0, kInf, false, false},
+    {"elastic_energy", "J", "per metre run", 0, 0, kInf, false, false},
+    {"plastic_dissipation", "J", "by dynamic steps, per metre run", 0, 0, kInf, false, false},
+    {"damping_dissipation", "J", "by dynamic steps, per metre run", 0, 0, kInf, false, false},
+    {"external_work", "J", "of weight, seismic force and loads in dynamic steps, per metre run", 0, -kInf, kInf, false, false},
+    {"energy_residual", "1", "external work - kinetic - elastic - dissipated, relative to the largest of them", 0, 0, kInf, false, false},
+};
+
+}  // namespace
+
+std::span<const FieldInfo> fields() { return kFields; }
+
+int find_field(std::string_view name) {
+  for (std::size_t i = 0; i < std::size(kFields); ++i)
+    if (name == kFields[i].name) return static_cast<int>(i);
+  return -1;
+}
+
+std::span<const NamedValue> named_values() { return kValues; }
+
+}  // namespace vbgpd

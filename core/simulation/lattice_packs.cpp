@@ -1,0 +1,309 @@
+#include "simulation/lattice_packs.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace vbgpd {
+
+namespace {
+
+/// Columns of cells along the short side of the section; `at` finds the storage index of a cell.
+class Columns {
+ public:
+  Columns(const Section& section, int width) : width_(width) {
+    Index min_x = 0, max_x = 0, min_y = 0, max_y = 0;
+    if (!section.seeds.empty()) {
+      min_x = max_x = section.seeds[0].ix, min_y = max_y = section.seeds[0].iy;
+      for (const Seed& s : section.seeds) {
+        min_x = std::min(min_x, s.ix), max_x = std::max(max_x, s.ix);
+        min_y = std::min(min_y, s.iy), max_y = std::max(max_y, s.iy);
+      }
+    }
+    along_x_ = max_x - min_x < max_y - min_y;
+    first_ = along_x_ ? min_y : min_x;
+    const Index last = along_x_ ? max_y : max_x;
+    low_.assign(static_cast<std::size_t>(last - first_ + 1), 0);
+    high_.assign(low_.size(), -1);
+    for (const Seed& s : section.seeds) {
+      const auto c = static_cast<std::size_t>(major(s) - first_);
+      if (high_[c] < low_[c]) low_[c] = high_[c] = minor(s);
+      low_[c] = std::min(low_[c], minor(s)), high_[c] = std::max(high_[c], minor(s));
+    }
+    // every column is followed by a pad of `width` cells without volume, so that packs may read past its ends
+    std::int32_t next = width;
+    for (std::size_t c = 0; c < low_.size(); ++c) {
+      start_.push_back(next);
+      if (high_[c] >= low_[c]) next += (high_[c] - low_[c] + width) / width * width + width;
+    }
+    storage_ = next + width;
+  }
+  Index major(const Seed& s) const { return along_x_ ? s.iy : s.ix; }
+  Index minor(const Seed& s) const { return along_x_ ? s.ix : s.iy; }
+  std::int32_t at(const Seed& s) const { return index(major(s), minor(s)); }
+  /// Storage index a cell would have, also a little outside its column; -1 when there is no such column.
+  std::int32_t index(Index column, Index cell) const {
+    const Index c = column - first_;
+    if (c < 0 || c >= static_cast<Index>(low_.size()) || high_[static_cast<std::size_t>(c)] < low_[static_cast<std::size_t>(c)]) return -1;
+    return start_[static_cast<std::size_t>(c)] + cell - low_[static_cast<std::size_t>(c)];
+  }
+  /// True when cells cell .. cell + width - 1 of a column touch what the column holds.
+  bool touches(Index column, Index cell) const {
+    const auto c = static_cast<std::size_t>(column - first_);
+    return cell + width_ - 1 >= low_[c] && cell <= high_[c];
+  }
+  bool along_x() const { return along_x_; }
+  std::int32_t storage() const { return storage_; }
+  std::size_t count() const { return low_.size(); }
+  Index column(std::size_t c) const { return first_ + static_cast<Index>(c); }
+  Index low(std::size_t c) const { return low_[c]; }
+  Index high(std::size_t c) const { return high_[c]; }
+
+ private:
+  int width_;
+  bool along_x_ = false;
+  Index first_ = 0;
+  std::vector<Index> low_, high_;
+  std::vector<std::int32_t> start_;
+  std::int32_t storage_ = 0;
+};
+
+struct LatticeOffset {
+  int major, minor;
+};
+
+/// Offsets within the support 2h, forward ones (higher storage index) first, nearest first; then their opposites.
+std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& lattice, const AnyKernel& kernel, Real h, Model& m) {
+  const Real minor_spacing = columns.along_x() ? lattice.spacing.x() : lattice.spacing.y();
+  const Real major_spacing = columns.along_x() ? lattice.spacing.y() : lattice.spacing.x();
+  std::vector<LatticeOffset> forward;
+  const int reach = static_cast<int>(std::ceil(2 * h / std::min(minor_spacing, major_spacing)));
+  const auto distance = [&](LatticeOffset o) { return std::hypot(o.major * major_spacing, o.minor * minor_spacing); };
+  for (int a = 0; a <= reach; ++a)
+    for (int b = -reach; b <= reach; ++b)
+      if ((a > 0 || b > 0) && distance({a, b}) < 2 * h * (1 - 1e-9)) forward.push_back({a, b});
+  std::sort(forward.begin(), forward.end(), [](LatticeOffset p, LatticeOffset q) {
+    return std::array{p.major, p.minor} < std::array{q.major, q.minor};
+  });
+  std::vector<LatticeOffset> all = forward;
+  for (LatticeOffset o : forward) all.push_back({-o.major, -o.minor});
+  m.forward_offsets = static_cast<int>(forward.size());
+  for (LatticeOffset o : all) {
+    Offset g;
+    const Real a = o.major * major_spacing, b = o.minor * minor_spacing;
+    g.xi_x = columns.along_x() ? b : a;
+    g.xi_y = columns.along_x() ? a : b;
+    g.weight = value(kernel, std::hypot(a, b), h);
+    g.inverse_r2 = 1 / (a * a + b * b);
+    m.offsets.push_back(g);
+  }
+  return all;
+}
+
+/// Which seeds sit where, and which pairs are cut.
+struct Occupancy {
+  const Model& m;
+  std::vector<CutPair> cut;  // storage indices, sorted
+  bool occupied(std::int32_t i) const { return i >= 0 && i < m.storage && m.seed_of[static_cast<std::size_t>(i)] >= 0; }
+  bool joined(std::int32_t i, std::int32_t j) const {
+    if (!occupied(i) || !occupied(j)) return false;
+    const CutPair key{std::min(i, j), std::max(i, j)};
+    return !std::binary_search(cut.begin(), cut.end(), key, less);
+  }
+  static bool less(const CutPair& p, const CutPair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; }
+};
+
+Occupancy number_particles(const Section& section, const Columns& columns, Model& m) {
+  m.storage = columns.storage();
+  const auto n = static_cast<std::size_t>(m.storage);
+  m.seed_of.assign(n, -1);
+  m.material.assign(n, -1);
+  m.storage_of.resize(section.seeds.size());
+  m.id_of.resize(section.seeds.size());
+  m.volume.allocate(n, 0);
+  std::int32_t id = 0;
+  for (const bool soil : {true, false})
+    for (std::size_t k = 0; k < section.seeds.size(); ++k)
+      if ((section.seeds[k].hold == Hold::kFree) == soil) m.id_of[k] = id++;
+  for (std::size_t k = 0; k < section.seeds.size(); ++k) {
+    const Seed& s = section.seeds[k];
+    const std::int32_t i = columns.at(s);
+    m.storage_of[k] = i;
+    m.seed_of[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(k);
+    m.material[static_cast<std::size_t>(i)] = s.material;
+    m.volume[static_cast<std::size_t>(i)] = s.volume;
+    if (s.hold == Hold::kFree) ++m.soil_particles;
+  }
+  m.particles = static_cast<std::int64_t>(section.seeds.size());
+  Occupancy who{m, {}};
+  for (const CutPair& c : section.cut_pairs) {
+    const std::int32_t a = m.storage_of[static_cast<std::size_t>(c.a)], b = m.storage_of[static_cast<std::size_t>(c.b)];
+    who.cut.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(who.cut.begin(), who.cut.end(), Occupancy::less);
+  return who;
+}
+
+/// Lanes of a pack that are bonds, and whether any lane must be hidden (both ends there, but no bond).
+struct Lanes {
+  std::uint8_t bonds = 0;
+  bool hidden = false;
+};
+Lanes lanes_of(const Occupancy& who, int width, std::int32_t i, std::int32_t j) {
+  Lanes lanes;
+  for (int l = 0; l < width; ++l) {
+    if (who.joined(i + l, j + l)) lanes.bonds |= static_cast<std::uint8_t>(1u << l);
+    else if (who.occupied(i + l) && who.occupied(j + l)) lanes.hidden = true;
+  }
+  return lanes;
+}
+
+void build_blocks(const Columns& columns, const std::vector<LatticeOffset>& offsets, const Occupancy& who, Model& m) {
+  for (std::size_t c = 0; c < columns.count(); ++c) {
+    const Index column = columns.column(c);
+    for (Index cell = columns.low(c); cell <= columns.high(c); cell += m.width) {
+      Block block;
+      block.first = columns.index(column, cell);
+      block.neighbours_begin = static_cast<std::int32_t>(m.neighbours.size());
+      for (std::size_t o = 0; o < offsets.size(); ++o) {
+        const std::int32_t j = columns.index(column + offsets[o].major, cell + offsets[o].minor);
+        if (j < 0 || !columns.touches(column + offsets[o].major, cell + offsets[o].minor)) continue;
+        const Lanes lanes = lanes_of(who, m.width, block.first, j);
+        if (lanes.bonds == 0) continue;
+        m.neighbours.push_back({j, static_cast<std::uint8_t>(o), lanes.hidden ? lanes.bonds : std::uint8_t{0xff}});
+      }
+      block.neighbours_end = static_cast<std::int32_t>(m.neighbours.size());
+      m.blocks.push_back(block);
+    }
+  }
+}
+
+std::uint16_t pair_of(const Model& m, std::int32_t i, std::int32_t j) {
+  const std::int32_t a = m.material[static_cast<std::size_t>(i)], b = m.material[static_cast<std::size_t>(j)];
+  return static_cast<std::uint16_t>(std::min(a, b) * m.materials + std::max(a, b));
+}
+
+/// One pack per pair of materials among the bonds between block `i` and `j`; all share one record.
+void add_packs(const Occupancy& who, std::int32_t i, std::int32_t j, std::uint8_t offset, std::vector<BondPack>& packs, Model& m) {
+  std::map<std::uint16_t, std::uint8_t> pairs;
+  int occupied = 0;
+  for (int l = 0; l < m.width; ++l) {
+    if (who.occupied(i + l) && who.occupied(j + l)) ++occupied;
+    if (i == j ? who.occupied(i + l) : who.joined(i + l, j + l)) pairs[pair_of(m, i + l, j + l)] |= static_cast<std::uint8_t>(1u << l);
+  }
+  for (const auto& [pair, lanes] : pairs) {
+    const int shown = __builtin_popcount(lanes);
+    if (i != j) m.bonds += shown;
+    packs.push_back({i, j, static_cast<std::int32_t>(m.slots), pair, offset, shown == occupied ? std::uint8_t{0xff} : lanes});
+  }
+  if (!pairs.empty()) ++m.slots;
+}
+
+int algorithm_of_pack(const Model& m, const BondPack& p) { return static_cast<int>(algorithm_of(m.pair_law[p.pair])); }
+
+/// Chunks of whole blocks, each longer than the reach of a bond, so that packs of chunk c write to chunks c and c + 1 only.
+void build_chunks(Model& m) {
+  constexpr std::int32_t kLeast = 1024;  // particles: enough work for one turn of a thread
+  std::vector<BondPack> packs;
+  const Occupancy who{m, {}};
+  std::int32_t reach = kLeast;
+  for (const BondPack& p : m.packs) reach = std::max(reach, p.j + 2 * m.width - p.i);
+  std::vector<BondPack> sorted[2];
+  std::size_t next = 0;  // packs are in block order already
+  for (std::size_t b = 0; b < m.blocks.size();) {
+    Chunk chunk;
+    chunk.blocks_begin = static_cast<std::int32_t>(b);
+    const std::int32_t begin = m.blocks[b].first;
+    while (b < m.blocks.size() && m.blocks[b].first - begin < reach) ++b;
+    chunk.blocks_end = static_cast<std::int32_t>(b);
+    const std::int32_t end = b < m.blocks.size() ? m.blocks[b].first : static_cast<std::int32_t>(m.storage);
+    for (auto& s : sorted) s.clear();
+    for (; next < m.packs.size() && m.packs[next].i < end; ++next) sorted[algorithm_of_pack(m, m.packs[next])].push_back(m.packs[next]);
+    for (int a = 0; a < 2; ++a) {
+      chunk.packs_begin[a] = static_cast<std::int32_t>(packs.size());
+      packs.insert(packs.end(), sorted[a].begin(), sorted[a].end());
+      chunk.packs_end[a] = static_cast<std::int32_t>(packs.size());
+    }
+    m.chunks.push_back(chunk);
+  }
+  m.packs = std::move(packs);
+}
+
+/// M_i^-1; where the neighbours lie (almost) on a line the direction without information is left out.
+Mat2 guarded_inverse(const Mat2& moment) {
+  Eigen::SelfAdjointEigenSolver<Mat2> solver(moment);
+  constexpr Real kLeastRatio = 1e-3;
+  const Real largest = solver.eigenvalues()[1];
+  Mat2 inverse = Mat2::Zero();
+  for (int a = 0; a < 2; ++a) {
+    const Real value = solver.eigenvalues()[a];
+    if (value <= kLeastRatio * largest) continue;
+    const Vec2 direction = solver.eigenvectors().col(a);
+    inverse += direction * direction.transpose() / value;
+  }
+  return inverse;
+}
+
+/// omega0_i, M_i (VB1) and the stiffness-proportional mass sum_j B_ij/2 (K + 4G/3).
+void build_operators(Model& m) {
+  const auto n = static_cast<std::size_t>(m.storage);
+  m.share.allocate(n, 1);
+  m.moment_xx.allocate(n, 2), m.moment_xy.allocate(n, 3), m.moment_yy.allocate(n, 4);
+  m.scaled_mass.allocate(n, 5);
+  const auto each_neighbour = [&](auto&& f) {
+    for (const Block& block : m.blocks)
+      for (int l = 0; l < m.width; ++l) {
+        const std::int32_t i = block.first + l;
+        if (m.seed_of[static_cast<std::size_t>(i)] < 0) continue;
+        for (std::int32_t k = block.neighbours_begin; k < block.neighbours_end; ++k) {
+          const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
+          const std::int32_t j = p.j + l;
+          if (((p.lanes >> l) & 1) == 0 || m.seed_of[static_cast<std::size_t>(j)] < 0) continue;
+          f(static_cast<std::size_t>(i), static_cast<std::size_t>(j), m.offsets[p.offset]);
+        }
+      }
+  };
+  std::vector<Real> omega0(n, 0);
+  std::vector<Mat2> moment(n, Mat2::Zero());
+  each_neighbour([&](std::size_t i, std::size_t j, const Offset& o) {
+    const Vec2 xi(o.xi_x, o.xi_y);
+    omega0[i] += o.weight * m.volume[j];
+    moment[i] += o.weight * m.volume[j] * xi * xi.transpose();
+  });
+  for (std::size_t i = 0; i < n; ++i) {
+    if (m.seed_of[i] < 0 || !(omega0[i] > 0)) continue;
+    const Mat2 inverse = guarded_inverse(moment[i]);
+    m.moment_xx[i] = inverse(0, 0), m.moment_xy[i] = inverse(0, 1), m.moment_yy[i] = inverse(1, 1);
+    m.share[i] = m.volume[i] / omega0[i];
+  }
+  each_neighbour([&](std::size_t i, std::size_t j, const Offset& o) {
+    const LawConstants& c = m.pair_elastic[pair_of(m, static_cast<std::int32_t>(i), static_cast<std::int32_t>(j))];
+    const Real bond_volume = o.weight * (m.volume[i] * m.share[j] + m.share[i] * m.volume[j]);
+    m.scaled_mass[i] += 0.5 * bond_volume * (c.bulk_modulus + 4 * c.shear_modulus / 3);
+  });
+}
+
+}  // namespace
+
+void build_packs(const Section& section, const AnyKernel& kernel, Real h, Model& m) {
+  const Columns columns(section, m.width);
+  const std::vector<LatticeOffset> offsets = find_offsets(columns, section.lattice, kernel, h, m);
+  const Occupancy who = number_particles(section, columns, m);
+  build_blocks(columns, offsets, who, m);
+  for (const Block& block : m.blocks) {
+    if (m.features.bond == BondLaw::kNone) {
+      add_packs(who, block.first, block.first, 0, m.packs, m);
+      continue;
+    }
+    for (std::int32_t k = block.neighbours_begin; k < block.neighbours_end; ++k) {
+      const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
+      if (p.offset < m.forward_offsets) add_packs(who, block.first, p.j, p.offset, m.packs, m);
+    }
+  }
+  build_chunks(m);
+  build_operators(m);
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,312 @@
+#include "simulation/lattice_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/build_model.h"
+
+namespace vbgpd {
+
+namespace {
+
+struct LatticeSaved final : SavedState {
+  State state;
+  Real factor = 1, time = 0;
+  std::int64_t steps = 0, since_restart = 0;
+  std::vector<LawConstants> constants;
+};
+
+/// Fraction of 2 / omega_max that is used: plastic flow and momentum need a margin (measured: diverges above 0.78).
+constexpr Real kStepMargin = 0.7;
+
+}  // namespace
+
+LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions& options, const Kernels& kernels)
+    : scene_(scene), options_(options), kernels_(kernels), workers_(options.threads) {
+  Lattice lattice = fit_lattice(scene, scene.spacing * options.spacing_factor, options.lattice_multiple);
+  if (options.coarsening > 1) lattice = coarsened(lattice, options.coarsening);
+  section_ = discretise(scene, lattice, support_reach(scene), options.max_particles);
+  model_ = build_model(scene_, section_, kernels.width);
+  state_.allocate(model_);
+  scratch_.allocate(model_);
+  partial_.resize(model_.chunks.size());
+  zero_.allocate(static_cast<std::size_t>(model_.storage), 0);
+  constants_ = pair_constants(model_, 1, false);
+  elastic_constants_ = pair_constants(model_, 1, true);
+}
+
+StepData LatticeSimulation::data(State& s, Scratch& t) const {
+  StepData d{};
+  const Model& m = model_;
+  d.offsets = m.offsets.data(), d.packs = m.packs.data(), d.neighbours = m.neighbours.data(), d.blocks = m.blocks.data();
+  d.chunks = m.chunks.data(), d.chunk_count = static_cast<int>(m.chunks.size());
+  d.guided = m.guided.data(), d.guided_count = static_cast<int>(m.guided.size());
+  d.volume = m.volume.data(), d.share = m.share.data();
+  d.moment_xx = m.moment_xx.data(), d.moment_xy = m.moment_xy.data(), d.moment_yy = m.moment_yy.data();
+  d.force_x = m.force_x.data(), d.force_y = m.force_y.data(), d.free_x = m.free_x.data(), d.free_y = m.free_y.data();
+  d.extra_cohesion = m.extra_cohesion.data(), d.material = m.material.data(), d.materials = m.materials;
+  d.uses_algorithm[0] = m.features.has_algorithm[0], d.uses_algorithm[1] = m.features.has_algorithm[1];
+  d.ux = s.displacement_x.data(), d.uy = s.displacement_y.data(), d.vx = s.velocity_x.data(), d.vy = s.velocity_y.data();
+  d.plastic_volume = s.plastic_volume.data(), d.plastic_strain = s.plastic_strain.data();
+  d.lxx = t.gradient_xx.data(), d.lxy = t.gradient_xy.data(), d.lyx = t.gradient_yx.data(), d.lyy = t.gradient_yy.data();
+  d.dilation = t.dilation.data();
+  d.zxx = t.flux_xx.data(), d.zxy = t.flux_xy.data(), d.zyx = t.flux_yx.data(), d.zyy = t.flux_yy.data();
+  d.px = t.pair_force_x.data(), d.py = t.pair_force_y.data(), d.volume_source = t.volume_source.data();
+  return d;
+}
+
+void LatticeSimulation::run_step(State& state, Scratch& scratch, const Controls& controls, Sums& sums) const {
+  const bool bonded = model_.features.bond != BondLaw::kNone;
+  const StepFunction f = bonded ? (controls.ledger ? kernels_.selective_ledger : kernels_.selective)
+                                : (controls.ledger ? kernels_.none_ledger : kernels_.none);
+  f(data(state, scratch), controls, workers_, partial_.data(), sums);
+}
+
+void LatticeSimulation::set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const {
+  const auto n = static_cast<std::size_t>(model_.storage);
+  mobility_x.allocate(n, 10);
+  mobility_y.allocate(n, 11);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(mass[i] > 0)) continue;
+    mobility_x[i] = model_.free_x[i] / mass[i];
+    mobility_y[i] = model_.free_y[i] / mass[i];
+  }
+}
+
+Real LatticeSimulation::highest_frequency(const Array& mass) const {
+  Array mobility_x, mobility_y;
+  set_mobility(mass, mobility_x, mobility_y);
+  State x;
+  x.allocate(model_);
+  const auto n = static_cast<std::size_t>(model_.storage);
+  std::uint64_t seed = 88172645463325252ull;  // xorshift: the same start for every model of a size
+  const auto next = [&] {
+    seed ^= seed << 13, seed ^= seed >> 7, seed ^= seed << 17;
+    return static_cast<double>(seed >> 11) * 0x1p-53 - 0.5;
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    if (model_.seed_of[i] >= 0)
+      x.displacement_x[i] = next() * model_.free_x[i], x.displacement_y[i] = next() * model_.free_y[i];
+  // one step with b = 0, dt = 1, no external force gives v = -M^-1 K u
+  Controls c;
+  c.time_step = 1, c.momentum = 0;
+  c.mobility_x = mobility_x.data(), c.mobility_y = mobility_y.data();
+  c.constants = elastic_constants_.data();
+  Sums sums;
+  Real eigenvalue = 0;
+  constexpr int kIterations = 40;
+  for (int k = 0; k < kIterations; ++k) {
+    Real norm = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      norm += mass[i] * (x.displacement_x[i] * x.displacement_x[i] + x.displacement_y[i] * x.displacement_y[i]);
+    if (!(norm > 0)) break;
+    const Real scale = 1 / std::sqrt(norm);
+    for (std::size_t i = 0; i < n; ++i) x.displacement_x[i] *= scale, x.displacement_y[i] *= scale;
+    x.velocity_x.fill_zero(), x.velocity_y.fill_zero();
+    StepData d = data(x, scratch_);
+    d.force_x = d.force_y = zero_.data();
+    d.guided_count = 0;
+    (model_.features.bond != BondLaw::kNone ? kernels_.selective : kernels_.none)(d, c, workers_, partial_.data(), sums);
+    Real image = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      image += mass[i] * (x.velocity_x[i] * x.velocity_x[i] + x.velocity_y[i] * x.velocity_y[i]);
+    eigenvalue = std::max(eigenvalue, std::sqrt(image));
+    x.displacement_x = x.velocity_x, x.displacement_y = x.velocity_y;
+  }
+  // Forty iterations find the largest eigenvalue to a few per cent from below; the margin of the step covers that.
+  return std::sqrt(eigenvalue);
+}
+
+Real LatticeSimulation::dynamic_time_step() const {
+  if (dynamic_frequency_ == 0) dynamic_frequency_ = highest_frequency(model_.mass);
+  return kStepMargin * 2 / dynamic_frequency_;
+}
+
+Controls LatticeSimulation::evaluation_controls() const {
+  Controls c;
+  c.mobility_x = c.mobility_y = zero_.data();
+  c.constants = constants_.data();
+  c.cohesion_scale = 1 / factor_;
+  return c;
+}
+
+Sums LatticeSimulation::evaluate() const {
+  probe_ = state_;
+  Sums sums;
+  run_step(probe_, scratch_, evaluation_controls(), sums);
+  return sums;
+}
+
+StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* cancel) {
+  StepReport report;
+  const Workers::Session session(workers_);
+  if (!dynamic_mobility_x_.present()) set_mobility(model_.mass, dynamic_mobility_x_, dynamic_mobility_y_);
+  Controls c;
+  c.time_step = dynamic_time_step();
+  c.local_damping = damping_;
+  c.mobility_x = dynamic_mobility_x_.data(), c.mobility_y = dynamic_mobility_y_.data();
+  c.constants = constants_.data();
+  c.cohesion_scale = 1 / factor_;
+  c.ledger = true;
+  // A particle that outruns the waves has left the method; the state of at most kKeep steps before is the last good one.
+  constexpr std::int64_t kKeep = 64;
+  const Real runaway = 4 / (c.time_step * c.time_step) * section_.lattice.spacing.squaredNorm();
+  State kept = state_;
+  Ledger kept_ledger = ledger_;
+  std::int64_t kept_at = 0;
+  for (std::int64_t n = 0; n < steps; ++n) {
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) {
+      report.status = Status::kCancelled;
+      return report;
+    }
+    if (n - kept_at >= kKeep) kept = state_, kept_ledger = ledger_, kept_at = n;
+    Sums sums;
+    run_step(state_, scratch_, c, sums);
+    if (!(sums.velocity2 < runaway)) {
+      state_ = kept, ledger_ = kept_ledger;
+      steps_ -= n - kept_at, time_ -= static_cast<Real>(n - kept_at) * c.time_step;
+      report.steps = kept_at;
+      report.status = Status::kDiverged;
+      return report;
+    }
+    ledger_.external += sums.external_work, ledger_.damping -= sums.damping_work, ledger_.plastic += sums.plastic_work;
+    ++steps_, ++report.steps;
+    time_ += c.time_step;
+  }
+  return report;
+}
+
+Monitors LatticeSimulation::monitors() const {
+  const Sums sums = evaluate();
+  Monitors out;
+  out.unbalanced_force_ratio = model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;
+  out.max_displacement = std::sqrt(sums.displacement2);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.storage); ++i) {
+    const Real v2 = state_.velocity_x[i] * state_.velocity_x[i] + state_.velocity_y[i] * state_.velocity_y[i];
+    out.max_velocity = std::max(out.max_velocity, std::sqrt(v2));
+    out.kinetic_energy += model_.mass[i] * v2 / 2 * (model_.free_x[i] + model_.free_y[i] > 0 ? 1 : 0);
+  }
+  out.plastic_bonds = vbgpd::plastic_bonds(model_, state_);
+  return out;
+}
+
+void LatticeSimulation::halt() {
+  state_.velocity_x.fill_zero();
+  state_.velocity_y.fill_zero();
+  since_restart_ = 0;
+}
+
+RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& options) {
+  const Workers::Session session(workers_);
+  if (!relaxing_mobility_x_.present()) {
+    set_mobility(model_.scaled_mass, relaxing_mobility_x_, relaxing_mobility_y_);
+    relaxing_frequency_ = highest_frequency(model_.scaled_mass);
+  }
+  Controls c;
+  c.time_step = options.time_step_factor * kStepMargin * 2 / relaxing_frequency_;
+  c.mobility_x = relaxing_mobility_x_.data(), c.mobility_y = relaxing_mobility_y_.data();
+  c.constants = options.elastic ? elastic_constants_.data() : constants_.data();
+  c.cohesion_scale = 1 / factor_;
+  c.local_damping = options.local_damping;
+  c.ledger = options.ledger;
+  RelaxReport r;
+  Sums sums;
+  const Real runaway = 1e4 * section_.lattice.spacing.norm() + 1e6 * displacement_scale();
+  for (std::int64_t n = 0; n < steps; ++n) {
+    // Nesterov-like momentum, dropped when the forces turn against the motion
+    c.momentum = options.local_damping > 0 ? 1 : static_cast<Real>(since_restart_) / static_cast<Real>(since_restart_ + 3);
+    run_step(state_, scratch_, c, sums);
+    ++since_restart_;
+    if (options.local_damping == 0 && sums.power < 0) since_restart_ = 0;
+    ++r.steps;
+    r.external_work += sums.external_work, r.internal_work += sums.internal_work, r.plastic_work += sums.plastic_work;
+    if (!(sums.displacement2 < runaway * runaway)) {
+      r.diverged = true;
+      break;
+    }
+  }
+  r.since_restart = since_restart_;
+  r.unbalanced_force_ratio = model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;
+  r.power_ratio = sums.external_power != 0 ? 1 - sums.power / sums.external_power : 0;
+  r.velocity = std::sqrt(sums.velocity2);
+  r.max_displacement = std::sqrt(sums.displacement2);
+  return r;
+}
+
+std::shared_ptr<SavedState> LatticeSimulation::save() const {
+  auto saved = std::make_shared<LatticeSaved>();
+  saved->state = state_;
+  saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->since_restart = since_restart_;
+  saved->constants = constants_;
+  return saved;
+}
+
+void LatticeSimulation::restore(const SavedState& other) {
+  const auto& saved = dynamic_cast<const LatticeSaved&>(other);
+  state_ = saved.state;
+  factor_ = saved.factor, time_ = saved.time, steps_ = saved.steps, since_restart_ = saved.since_restart;
+  constants_ = saved.constants;
+}
+
+Real LatticeSimulation::elastic_energy() const {
+  evaluate();
+  return vbgpd::elastic_energy(model_, probe_, scratch_, constants_, 1 / factor_);
+}
+
+void LatticeSimulation::set(std::string_view name, double value) {
+  for (const NamedValue& v : named_values()) {
+    if (name != v.name) continue;
+    if (!v.settable) throw Error(Status::kState, std::string(name) + " can be read, not set");
+    if (!(value >= v.min_value && (v.max_open ? value < v.max_value : value <= v.max_value))) {
+      Issue issue;
+      issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = value;
+      issue.text = std::string(name) + ": must be in [" + std::to_string(v.min_value) + ", " + std::to_string(v.max_value) +
+                   (v.max_open ? ")" : "]");
+      throw Error(issue);
+    }
+    if (name == "damping") damping_ = value;
+    if (name == "strength_reduction_factor") factor_ = value, constants_ = pair_constants(model_, factor_, false);
+    return;
+  }
+  throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
+}
+
+double LatticeSimulation::get(std::string_view name) const {
+  if (name == "damping") return damping_;
+  if (name == "strength_reduction_factor") return factor_;
+  if (name == "time") return time_;
+  if (name == "steps") return static_cast<double>(steps_);
+  if (name == "time_step") return dynamic_time_step();
+  if (name == "stable_time_step") return dynamic_time_step() / kStepMargin;
+  if (name == "unbalanced_force_ratio") return monitors().unbalanced_force_ratio;
+  if (name == "max_displacement") return monitors().max_displacement;
+  if (name == "max_velocity") return monitors().max_velocity;
+  if (name == "displacement_level") return monitors().max_displacement / displacement_scale();
+  if (name == "total_mass") {
+    double sum = 0;
+    for (std::size_t k = 0; k < section_.seeds.size(); ++k)
+      if (section_.seeds[k].hold == Hold::kFree) sum += model_.mass[static_cast<std::size_t>(model_.storage_of[k])];
+    return sum;
+  }
+  if (name == "area") return section_.area;
+  if (name == "height") return section_.height;
+  if (name == "spacing_x") return section_.lattice.spacing.x();
+  if (name == "spacing_y") return section_.lattice.spacing.y();
+  if (name == "particles") return static_cast<double>(model_.particles);
+  if (name == "bonds") return static_cast<double>(model_.bonds);
+  if (name == "plastic_bonds") return static_cast<double>(vbgpd::plastic_bonds(model_, state_));
+  if (name == "bytes") return static_cast<double>(model_.bytes() + state_.bytes() + scratch_.bytes());
+  if (name == "kinetic_energy") return monitors().kinetic_energy;
+  if (name == "elastic_energy") return elastic_energy();
+  if (name == "plastic_dissipation") return ledger_.plastic;
+  if (name == "damping_dissipation") return ledger_.damping;
+  if (name == "external_work") return ledger_.external;
+  if (name == "energy_residual") {
+    const Real kinetic = monitors().kinetic_energy, elastic = elastic_energy();
+    const Real largest = std::max({std::fabs(ledger_.external), kinetic, elastic, ledger_.plastic, ledger_.damping});
+    return largest > 0 ? std::fabs(ledger_.external - kinetic - elastic - ledger_.plastic - ledger_.damping) / largest : 0;
+  }
+  throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,75 @@
+// The simulation on a lattice with fixed bonds (total-Lagrangian): what Simulation::compile makes today.
+#pragma once
+
+#include "base/parallel.h"
+#include "simulation/observe.h"
+#include "simulation/simulation.h"
+#include "state/model.h"
+#include "step/kernels.h"
+
+namespace vbgpd {
+
+class LatticeSimulation final : public Simulation {
+ public:
+  /// The scene is valid. `kernels` is the build of the step to use.
+  LatticeSimulation(const SceneDef& scene, const CompileOptions& options, const Kernels& kernels);
+
+  const SceneDef& scene() const override { return scene_; }
+  const CompileOptions& options() const override { return options_; }
+  const Section& section() const override { return section_; }
+  std::int64_t particle_count() const override { return model_.particles; }
+  std::int64_t bond_count() const override { return model_.bonds; }
+  StepReport step(std::int64_t steps, const std::atomic<bool>* cancel) override;
+  Monitors monitors() const override;
+  RelaxReport relax(std::int64_t steps, const RelaxOptions& options) override;
+  void halt() override;
+  std::shared_ptr<SavedState> save() const override;
+  void restore(const SavedState& saved) override;
+  Real displacement_scale() const override { return model_.stress_scale * model_.height / model_.stiffness; }
+  Real elastic_energy() const override;
+  double get(std::string_view name) const override;
+  void set(std::string_view name, double value) override;
+  void read(int field, std::vector<double>& out) const override;
+  void read(int field, std::vector<std::int64_t>& out) const override;
+  std::uint64_t state_hash() const override { return state_.hash(); }
+
+  const Model& model() const { return model_; }
+  State& state() { return state_; }
+  const std::vector<LawConstants>& constants() const { return constants_; }
+
+ private:
+  struct Ledger {
+    Real external = 0, damping = 0, plastic = 0;
+  };
+  StepData data(State& state, Scratch& scratch) const;
+  void run_step(State& state, Scratch& scratch, const Controls& controls, Sums& sums) const;
+  /// Highest natural frequency with the given masses: power iteration on the elastic operator.
+  Real highest_frequency(const Array& mass) const;
+  void set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const;
+  Real dynamic_time_step() const;
+  Controls evaluation_controls() const;
+  /// Brings scratch up to date with the state without moving anything; returns the unbalanced force ratio.
+  Sums evaluate() const;
+  void read_particles(int field, std::vector<double>& out) const;
+  void read_bonds(int field, std::vector<double>& out) const;
+
+  SceneDef scene_;
+  CompileOptions options_;
+  Section section_;
+  const Kernels& kernels_;
+  Model model_;
+  State state_;
+  mutable Scratch scratch_;
+  mutable State probe_;              // copy of the state for evaluations
+  mutable std::vector<Sums> partial_;
+  mutable Workers workers_;
+  Array zero_;                       // all zero: mobility of an evaluation
+  Array dynamic_mobility_x_, dynamic_mobility_y_, relaxing_mobility_x_, relaxing_mobility_y_;
+  mutable Real dynamic_frequency_ = 0, relaxing_frequency_ = 0;
+  std::vector<LawConstants> constants_, elastic_constants_;
+  Real factor_ = 1, damping_ = 0, time_ = 0;
+  std::int64_t steps_ = 0, since_restart_ = 0;
+  Ledger ledger_;
+};
+
+}  // namespace vbgpd

@@ -1,0 +1,120 @@
+// The run-time face of the engine: a scene compiled into particles and bonds, stepped and read. The only door for analysis and capi.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "geometry/section.h"
+#include "scene/scene_def.h"
+
+namespace vbgpd {
+
+enum class Location { kParticle = 1, kBond = 2 };
+enum class FieldType { kReal = 1, kInteger = 2 };
+
+/// A named output array that describes itself.
+struct FieldInfo {
+  const char* name;
+  const char* unit;  ///< UDUNITS
+  const char* doc;
+  Location location;
+  FieldType type;
+  int components;
+};
+std::span<const FieldInfo> fields();
+int find_field(std::string_view name);  ///< -1 = no such field
+
+/// A named number of a simulation ("damping", "time" ...); settable ones have a range.
+struct NamedValue {
+  const char* name;
+  const char* unit;
+  const char* doc;
+  double default_value, min_value, max_value;
+  bool max_open;
+  bool settable;
+};
+std::span<const NamedValue> named_values();
+
+struct CompileOptions {
+  int threads = 1;                  ///< results do not depend on it
+  std::int64_t max_particles = 0;   ///< 0 = no limit
+  Real spacing_factor = 1;          ///< spacing aimed at, times the scene's
+  int lattice_multiple = 2;         ///< key lines are asked to fall on every that many-th cell edge
+  int coarsening = 1;               ///< then the cells are made this many times larger
+};
+
+struct StepReport {
+  std::int64_t steps = 0;
+  Status status = Status::kOk;      ///< kOk, kCancelled or kDiverged (then the state is that of the last good step)
+};
+
+/// Monitors of the present state.
+struct Monitors {
+  Real unbalanced_force_ratio = 0;  ///< sum |f| / sum of weights and loads
+  Real max_displacement = 0, max_velocity = 0;
+  Real kinetic_energy = 0;
+  std::int64_t plastic_bonds = 0;
+};
+
+/// One run of quasi-static relaxation steps (momentum with restart, masses proportional to stiffness; method 4.10, speed notes).
+struct RelaxOptions {
+  bool elastic = false;        ///< strengths left out
+  double local_damping = 0;    ///< > 0: local damping instead of momentum, the slow and careful reference
+  double time_step_factor = 1; ///< of the stable step with its margin
+  bool ledger = false;
+};
+struct RelaxReport {
+  std::int64_t steps = 0;
+  std::int64_t since_restart = 0;   ///< steps since the momentum was last dropped
+  Real unbalanced_force_ratio = 0;  ///< sum |f| / sum |f_ext| of the last step
+  Real power_ratio = 0;             ///< 1 - sum f.v / sum f_ext.v of the last step: internal over external power
+  Real velocity = 0;                ///< max |v|, per pseudo-time
+  Real max_displacement = 0;
+  bool diverged = false;
+  Real external_work = 0, internal_work = 0, plastic_work = 0;  ///< with ledger, of this run
+};
+
+/// A saved instant: everything that changes.
+class SavedState {
+ public:
+  virtual ~SavedState() = default;
+};
+
+class Simulation {
+ public:
+  /// Checks the scene (validate + check_geometry), throws Error whose text lists every error; then builds model and state.
+  static std::unique_ptr<Simulation> compile(const SceneDef& scene, const CompileOptions& options);
+  virtual ~Simulation() = default;
+
+  virtual const SceneDef& scene() const = 0;
+  virtual const CompileOptions& options() const = 0;
+  virtual const Section& section() const = 0;
+  virtual std::int64_t particle_count() const = 0;  ///< soil first, then walls
+  virtual std::int64_t bond_count() const = 0;
+
+  /// Dynamic steps with true masses at the stable time step; `cancel` may be null.
+  virtual StepReport step(std::int64_t steps, const std::atomic<bool>* cancel) = 0;
+  virtual Monitors monitors() const = 0;
+
+  /// Quasi-static steps; velocities are pseudo-velocities meanwhile. `halt` drops them and the momentum.
+  virtual RelaxReport relax(std::int64_t steps, const RelaxOptions& options) = 0;
+  virtual void halt() = 0;
+  virtual std::shared_ptr<SavedState> save() const = 0;
+  virtual void restore(const SavedState& saved) = 0;
+  virtual Real displacement_scale() const = 0;  ///< gamma H^2 / E: unit of the displacement level
+  virtual Real elastic_energy() const = 0;      ///< J per metre run
+
+  virtual double get(std::string_view name) const = 0;         ///< throws Error(kUnknownName)
+  virtual void set(std::string_view name, double value) = 0;   ///< throws Error(kUnknownName), Error(kRange), Error(kState)
+
+  /// All items of a field, packed rows, by particle id or bond by bond.
+  virtual void read(int field, std::vector<double>& out) const = 0;
+  virtual void read(int field, std::vector<std::int64_t>& out) const = 0;  ///< integer fields only
+  virtual std::uint64_t state_hash() const = 0;
+};
+
+}  // namespace vbgpd

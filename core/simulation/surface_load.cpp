@@ -1,0 +1,71 @@
+#include "simulation/surface_load.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vbgpd {
+
+namespace {
+
+/// Vertical component of the discrete normal area a_i n_i of every particle.
+std::vector<Real> normal_areas(const Model& m) {
+  std::vector<Real> area(static_cast<std::size_t>(m.storage), 0);
+  for (const Block& block : m.blocks)
+    for (int l = 0; l < m.width; ++l) {
+      const auto i = static_cast<std::size_t>(block.first + l);
+      if (m.seed_of[i] < 0) continue;
+      for (std::int32_t k = block.neighbours_begin; k < block.neighbours_end; ++k) {
+        const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
+        const auto j = static_cast<std::size_t>(p.j + l);
+        if (((p.lanes >> l) & 1) == 0 || m.seed_of[j] < 0) continue;
+        const Offset& o = m.offsets[p.offset];
+        const Real sum_xy = m.moment_xy[i] + m.moment_xy[j], sum_yy = m.moment_yy[i] + m.moment_yy[j];
+        area[i] -= o.weight * m.volume[i] * m.volume[j] * (sum_xy * o.xi_x + sum_yy * o.xi_y);
+      }
+    }
+  return area;
+}
+
+/// Elevation of the ground at x.
+Real ground_level(const std::vector<Point>& ground, Real x) {
+  for (std::size_t k = 1; k < ground.size(); ++k) {
+    const Point &a = ground[k - 1], &b = ground[k];
+    if (x > b.x && k + 1 < ground.size()) continue;
+    if (b.x <= a.x) return std::max(a.y, b.y);
+    return a.y + (b.y - a.y) * std::clamp((x - a.x) / (b.x - a.x), 0.0, 1.0);
+  }
+  return ground.empty() ? 0 : ground.front().y;
+}
+
+}  // namespace
+
+void add_surface_loads(const SceneDef& scene, const Section& section, Model& m) {
+  if (scene.loads.empty()) return;
+  const std::vector<Real> area = normal_areas(m);
+  const Real dx = section.lattice.spacing.x(), dy = section.lattice.spacing.y();
+  const Real depth = 3.5 * dy;  // the rows a support of 2.6 spacings can miss
+  for (const LoadDef& load : scene.loads) {
+    const Real end = std::isnan(load.pressure_end) ? load.pressure : load.pressure_end;
+    const auto pressure = [&](Real x) {
+      return load.pressure + (end - load.pressure) * std::clamp((x - load.x0) / (load.x1 - load.x0), 0.0, 1.0);
+    };
+    std::vector<std::pair<std::size_t, Real>> shares;
+    Real total = 0;
+    for (std::size_t k = 0; k < section.seeds.size(); ++k) {
+      const Seed& seed = section.seeds[k];
+      if (seed.hold != Hold::kFree) continue;
+      const Vec2 center = section.lattice.center(seed.ix, seed.iy);
+      const Real left = std::max(center.x() - dx / 2, load.x0), right = std::min(center.x() + dx / 2, load.x1);
+      if (right <= left || ground_level(section.ground, center.x()) - center.y() > depth) continue;
+      const auto i = static_cast<std::size_t>(m.storage_of[k]);
+      const Real f = pressure((left + right) / 2) * area[i] * (right - left) / dx;
+      shares.emplace_back(i, f);
+      total += f;
+    }
+    const Real asked = (load.pressure + end) / 2 * (load.x1 - load.x0);
+    if (total == 0) continue;
+    for (const auto& [i, f] : shares) m.force_y[i] -= f * asked / total;
+  }
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,51 @@
+// The lists of a model: particles sit on a lattice, numbered column by column (columns run along the short side), so that `width`
+// consecutive particles and one lattice offset make one pack of bonds. Plain data, no containers.
+#pragma once
+
+#include <cstdint>
+
+namespace vbgpd {
+
+/// Geometry of one lattice offset: the same for every bond along it.
+struct Offset {
+  double xi_x = 0, xi_y = 0;  ///< X_j - X_i, m
+  double weight = 0;          ///< omega_ij = W(r), 1/m2
+  double inverse_r2 = 0;      ///< 1/m2
+};
+
+/// `width` bonds between particles i.. and j.., all of one pair of materials. Sorted by return algorithm, then block.
+struct BondPack {
+  std::int32_t i = 0, j = 0;  ///< first particle of each end
+  std::int32_t slot = 0;      ///< record of the bonds' plastic strain
+  std::uint16_t pair = 0;     ///< material pair, index into the table of law constants
+  std::uint8_t offset = 0;    ///< index into the forward offsets
+  std::uint8_t lanes = 0xff;  ///< bit l: lane l is a bond of this pack; 0xff: nothing to hide (absent ones have no volume)
+};
+
+/// A neighbour pack seen from one side: for the sums over all neighbours of a particle.
+struct NeighbourPack {
+  std::int32_t j = 0;
+  std::uint8_t offset = 0;  ///< index into all offsets: forward ones, then their opposites in the same order
+  std::uint8_t lanes = 0xff;
+};
+
+/// A run of `width` particles.
+struct Block {
+  std::int32_t first = 0;                                 ///< first particle
+  std::int32_t neighbours_begin = 0, neighbours_end = 0;  ///< range of neighbour packs
+};
+
+/// A piece of work that one thread does at a time; packs of chunk c only reach particles of chunks c and c + 1.
+struct Chunk {
+  std::int32_t blocks_begin = 0, blocks_end = 0;
+  std::int32_t packs_begin[2] = {0, 0}, packs_end[2] = {0, 0};  ///< per return algorithm
+};
+
+/// A wall particle that slides along a wall (roller) or is moved (prescribed velocity).
+struct GuidedParticle {
+  std::int32_t particle = 0;
+  std::int32_t prescribed = 0;             ///< 1: moves with (x, y) m/s; 0: may not move along the normal (x, y)
+  double x = 0, y = 0;
+};
+
+}  // namespace vbgpd

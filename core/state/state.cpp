@@ -1,0 +1,75 @@
+#include <cstring>
+
+#include "state/model.h"
+
+namespace vbgpd {
+
+namespace {
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& v) {
+  return v.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+std::size_t Model::bytes() const {
+  std::size_t sum = bytes_of(offsets) + bytes_of(blocks) + bytes_of(neighbours) + bytes_of(packs) + bytes_of(chunks) +
+                    bytes_of(guided) + bytes_of(material) + bytes_of(seed_of) + bytes_of(storage_of) + bytes_of(id_of);
+  for (const Array* a : {&volume, &share, &moment_xx, &moment_xy, &moment_yy, &force_x, &force_y, &free_x, &free_y, &mass,
+                         &scaled_mass, &extra_cohesion})
+    sum += a->bytes();
+  return sum;
+}
+
+void State::allocate(const Model& m) {
+  const auto n = static_cast<std::size_t>(m.storage);
+  displacement_x.allocate(n, 1);
+  displacement_y.allocate(n, 2);
+  velocity_x.allocate(n, 3);
+  velocity_y.allocate(n, 4);
+  plastic_volume.allocate(m.features.volumetric_plastic ? n : 0, 5);
+  const std::size_t records =
+      m.features.bond == BondLaw::kNone ? n : static_cast<std::size_t>(m.slots) * static_cast<std::size_t>(m.width);
+  plastic_strain.allocate(m.features.plastic ? 3 * records : 0, 6);
+}
+
+std::size_t State::bytes() const {
+  std::size_t sum = 0;
+  for_each_array(*this, [&](const char*, const Array& a) { sum += a.bytes(); });
+  return sum;
+}
+
+/// FNV-1a over 64-bit words of every present array, in the order of the list.
+std::uint64_t State::hash() const {
+  std::uint64_t h = 14695981039346656037ull;
+  for_each_array(*this, [&](const char*, const Array& a) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double value = a[i] + 0.0;  // -0 and 0 are the same state
+      std::uint64_t word;
+      std::memcpy(&word, &value, sizeof word);
+      h = (h ^ word) * 1099511628211ull;
+    }
+  });
+  return h;
+}
+
+void Scratch::allocate(const Model& m) {
+  const auto n = static_cast<std::size_t>(m.storage);
+  int stagger = 7;
+  for (Array* a : {&gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation, &flux_xx, &flux_xy, &flux_yx, &flux_yy,
+                   &pair_force_x, &pair_force_y})
+    a->allocate(n, stagger++);
+  volume_source.allocate(m.features.volumetric_plastic ? n : 0, stagger++);
+  if (m.features.bond == BondLaw::kNone) pair_force_x.allocate(0, 0), pair_force_y.allocate(0, 0);
+}
+
+std::size_t Scratch::bytes() const {
+  std::size_t sum = 0;
+  for (const Array* a : {&gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation, &flux_xx, &flux_xy, &flux_yx,
+                         &flux_yy, &pair_force_x, &pair_force_y, &volume_source})
+    sum += a->bytes();
+  return sum;
+}
+
+}  // namespace vbgpd

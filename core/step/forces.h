@@ -1,0 +1,83 @@
+// Forces from virtual power (VB5), damping, and the symplectic step of method 4.11, in one sweep over the particles.
+#pragma once
+
+#include "base/pack.h"
+#include "step/lanes.h"
+#include "step/step_data.h"
+
+namespace vbgpd {
+inline namespace VBGPD_ISA {
+
+/// Z_i = V_i S_i M_i^-1 / V_i, so that V_i S_i Phi_ij - V_j S_j Phi_ji = omega_ij V_i V_j (Z_i + Z_j) xi_ij and Phi is never stored.
+/// Also turns this step's plastic volume into plastic volumetric strain of the particle.
+inline void flux_pass(const StepData& d, const Chunk& chunk) {
+  for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
+    const int i = d.blocks[b].first;
+    const Pack volume = load(d.volume + i);
+    const Pack inverse = 1.0 / select(volume > Pack{}, volume, Pack{} + 1.0);
+    const Pack mxx = load(d.moment_xx + i) * inverse, mxy = load(d.moment_xy + i) * inverse, myy = load(d.moment_yy + i) * inverse;
+    const Pack sxx = load(d.zxx + i), sxy = load(d.zxy + i), syx = load(d.zyx + i), syy = load(d.zyy + i);
+    store(d.zxx + i, sxx * mxx + sxy * mxy), store(d.zxy + i, sxx * mxy + sxy * myy);
+    store(d.zyx + i, syx * mxx + syy * mxy), store(d.zyy + i, syx * mxy + syy * myy);
+    if (d.volume_source != nullptr)
+      store(d.plastic_volume + i, load(d.plastic_volume + i) + load(d.volume_source + i) * inverse);
+  }
+}
+
+/// Internal force of VB5 on the particles of a block.
+VBGPD_INLINE void internal_force(const StepData& d, const Block& block, Pack& fx, Pack& fy) {
+  const int i = block.first;
+  const Pack zxx = load(d.zxx + i), zxy = load(d.zxy + i), zyx = load(d.zyx + i), zyy = load(d.zyy + i);
+  Pack gx{}, gy{};
+  for (int n = block.neighbours_begin; n < block.neighbours_end; ++n) {
+    const NeighbourPack& neighbour = d.neighbours[n];
+    const Offset& o = d.offsets[neighbour.offset];
+    const int j = neighbour.j;
+    const Pack volume = visible(load(d.volume + j), neighbour.lanes);
+    const Pack wx = volume * (o.weight * o.xi_x), wy = volume * (o.weight * o.xi_y);
+    gx += (zxx + load(d.zxx + j)) * wx + (zxy + load(d.zxy + j)) * wy;
+    gy += (zyx + load(d.zyx + j)) * wx + (zyy + load(d.zyy + j)) * wy;
+  }
+  const Pack volume = load(d.volume + i);
+  fx = volume * gx, fy = volume * gy;
+  if (d.px != nullptr) fx += load(d.px + i), fy += load(d.py + i);
+}
+
+/// f = internal + external + damping; v <- b v + dt f/m; u <- u + dt v. Sums up the monitors of the chunk.
+template <bool kLedger>
+inline Sums move_pass(const StepData& d, const Controls& c, const Chunk& chunk) {
+  Pack unbalanced{}, power{}, external_power{}, displacement2{}, velocity2{}, external{}, internal{}, damping{};
+  for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
+    const Block& block = d.blocks[b];
+    const int i = block.first;
+    Pack ix, iy;
+    internal_force(d, block, ix, iy);
+    const Pack ex = load(d.force_x + i), ey = load(d.force_y + i);
+    const Pack free_x = load(d.free_x + i), free_y = load(d.free_y + i);
+    const Pack fx = (ix + ex) * free_x, fy = (iy + ey) * free_y;
+    const Pack vx = load(d.vx + i), vy = load(d.vy + i);
+    unbalanced += magnitude(fx) + magnitude(fy);
+    power += fx * vx + fy * vy;
+    external_power += ex * vx + ey * vy;
+    // local damping (FLAC): f_d = -alpha |f| sgn v
+    const Pack zero{};
+    const Pack dx = -c.local_damping * magnitude(fx) * (select(vx > zero, zero + 1.0, zero) - select(vx < zero, zero + 1.0, zero));
+    const Pack dy = -c.local_damping * magnitude(fy) * (select(vy > zero, zero + 1.0, zero) - select(vy < zero, zero + 1.0, zero));
+    const Pack nx = c.momentum * vx + c.time_step * load(c.mobility_x + i) * (fx + dx);
+    const Pack ny = c.momentum * vy + c.time_step * load(c.mobility_y + i) * (fy + dy);
+    const Pack ux = load(d.ux + i) + c.time_step * nx, uy = load(d.uy + i) + c.time_step * ny;
+    store(d.vx + i, nx), store(d.vy + i, ny);
+    store(d.ux + i, ux), store(d.uy + i, uy);
+    displacement2 = larger(displacement2, ux * ux + uy * uy);
+    velocity2 = larger(velocity2, nx * nx + ny * ny);
+    if constexpr (kLedger) {
+      const Pack mx = 0.5 * c.time_step * (vx + nx), my = 0.5 * c.time_step * (vy + ny);
+      external += ex * mx + ey * my, internal += ix * mx + iy * my, damping += dx * mx + dy * my;
+    }
+  }
+  return {lane_sum(unbalanced),    lane_sum(power),    lane_sum(external_power), lane_max(displacement2),
+          lane_max(velocity2), lane_sum(external), lane_sum(internal),       lane_sum(damping), 0};
+}
+
+}  // namespace VBGPD_ISA
+}  // namespace vbgpd

@@ -1,0 +1,30 @@
+// The commands of the program and what each may be told.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct CheckOptions {
+  std::string scene;
+};
+
+/// What is not given is taken from the scene or is the engine's default.
+struct FosOptions {
+  std::string scene;
+  std::optional<double> spacing;  ///< m
+  std::optional<int> levels;      ///< grids
+  std::optional<std::string> scheme;
+  std::optional<double> tolerance;  ///< width of the bracket
+  int threads = 1;
+  std::vector<std::string> pictures;
+  bool json = false, quiet = false, careful = false;
+};
+
+/// Each gives the exit code of the program, or throws BadInput.
+int run_check(const CheckOptions& options);
+int run_fos(const FosOptions& options);
+
+}  // namespace cli

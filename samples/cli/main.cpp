@@ -1,0 +1,83 @@
+// vbgpd: factor of safety and critical slip surface of a soil slope, from the command line.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "bad_input.h"
+#include "commands.h"
+#include "exit_code.h"
+#include "scene_file.h"
+
+namespace {
+
+using namespace cli;
+
+void describe_check(CLI::App& app, CheckOptions& options) {
+  app.add_option("SCENE", options.scene, "scene file (JSON)")->required();
+}
+
+void describe_fos(CLI::App& app, FosOptions& options) {
+  app.add_option("SCENE", options.scene, "scene file (JSON)")->required();
+  app.add_option("--spacing", options.spacing, "m between particles of the finest grid, instead of the scene's")
+      ->type_name("H")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--levels", options.levels, "grids, each half as fine as the next (default 2); 1 = no extrapolation")
+      ->type_name("N")
+      ->check(CLI::Range(1, 3));
+  app.add_option("--scheme", options.scheme, "virtual_bond or none (corrected nodal SPH), instead of the scene's")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"virtual_bond", "none"}));
+  app.add_option("--threads", options.threads, "threads (default 1), 0 = all cores; the result does not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  app.add_option("--tolerance", options.tolerance, "width of the bracket asked for, instead of the scene's")
+      ->type_name("T")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--picture", options.pictures,
+                 "draw the section, the plastic strain and the slip surface; may be repeated")
+      ->type_name("FILE.svg|.png|.pdf")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_flag("--json", options.json, "print the result as one JSON object");
+  app.add_flag("--quiet", options.quiet, "no progress line");
+  app.add_flag("--careful", options.careful, "plain bisection from the gravity state instead of the fast search");
+}
+
+/// The command's exit code; whatever the user can put right is said in one line per problem.
+template <class Command, class Options>
+int guarded(Command command, const Options& options) {
+  try {
+    return command(options);
+  } catch (const BadInput& bad) {
+    print_issues(bad.issues(), bad.subject());
+    return kBadInput;
+  } catch (const EngineError& error) {
+    std::fprintf(stderr, "%s: error: %s (%s)\n", options.scene.c_str(), error.what(),
+                 vbgpd_status_name(error.status()));
+    return kFailure;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: error: %s\n", options.scene.c_str(), error.what());
+    return kFailure;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Stability of soil slopes by virtual-bond general particle dynamics"};
+  app.set_version_flag("--version", std::string("vbgpd ") + vbgpd_version_string());
+  app.require_subcommand(1);
+  app.footer("Exit code: 0 done, 2 bad input, 3 not converged, 4 diverged, 130 cancelled.");
+  CheckOptions check_options;
+  FosOptions fos_options;
+  CLI::App* check = app.add_subcommand("check", "say what is wrong with a scene, or what it holds");
+  CLI::App* fos = app.add_subcommand("fos", "factor of safety and critical slip surface by strength reduction");
+  describe_check(*check, check_options);
+  describe_fos(*fos, fos_options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kBadInput;
+  }
+  return check->parsed() ? guarded(run_check, check_options) : guarded(run_fos, fos_options);
+}

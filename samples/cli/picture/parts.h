@@ -1,0 +1,24 @@
+// The parts of a picture, in the order in which they are painted.
+#pragma once
+
+#include "layout.h"
+
+namespace cli::picture {
+
+/// Materials, then later the lines over them.
+void draw_materials(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+void draw_outlines(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+/// Plastic strain, a coloured square per particle cut by the outline. `largest` is the strain of the last colour.
+void draw_strain(cairo_t* cr, const Sheet& sheet, const Layout& layout, double largest);
+void draw_slip(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+void draw_supports(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+void draw_loads(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+void draw_seismic(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+void draw_axes(cairo_t* cr, const Layout& layout);
+void draw_soil_legend(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+void draw_color_bar(cairo_t* cr, const Layout& layout, double largest);
+
+/// The strain that gets the last colour: the 98th percentile of the yielding particles, rounded up; 0 when none yields.
+double largest_shown(const std::vector<Cell>& cells);
+
+}  // namespace cli::picture

@@ -1,0 +1,34 @@
+// A scene file as a profile of the engine.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine.h"
+
+namespace cli {
+
+struct Scene {
+  Profile profile;
+  std::vector<std::string>
+      boundary_kinds;  ///< "fixed", "roller" ... by boundary id; the engine does not tell them back
+};
+
+/// Reads a scene file. Throws BadInput: no such file, not readable, not text, not JSON, not a scene.
+Scene read_scene(vbgpd_context* context, const std::string& file);
+
+/// Particles and bonds of a profile. Throws BadInput when the scene cannot be discretised.
+Model create_model(vbgpd_context* context, const vbgpd_profile* profile, const std::string& file);
+
+/// The engine lists several faults in one text, a line each.
+std::vector<Issue> errors_of(const std::string& text);
+
+/// Issues as lines for a person, each naming the file: "slope.json: error: material 'clay' ...".
+std::vector<std::string> lines(const std::vector<Issue>& issues, const std::string& file);
+
+/// The lines on stderr.
+void print_issues(const std::vector<Issue>& issues, const std::string& file);
+
+bool has_error(const std::vector<Issue>& issues);
+
+}  // namespace cli

@@ -1,0 +1,38 @@
+# cmake -DNM= -DLIBRARY= -DSYMBOLS= -P check_symbols.cmake
+# The shared library exports the functions of symbols.txt and nothing else, and asks nobody to print, exit or set a locale.
+cmake_minimum_required(VERSION 3.22)
+function(dynamic_symbols which out)
+  execute_process(COMMAND ${NM} -D ${which} ${LIBRARY} OUTPUT_VARIABLE text RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${NM} -D ${which} ${LIBRARY} failed")
+  endif()
+  string(REGEX REPLACE "[;\r]" "" text "${text}")
+  string(REGEX MATCHALL "[^\n]+" lines "${text}")
+  set(names "")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE ".* ([^ ]+)$" "\\1" name "${line}")
+    string(REGEX REPLACE "@.*" "" name "${name}")
+    list(APPEND names "${name}")
+  endforeach()
+  set(${out} "${names}" PARENT_SCOPE)
+endfunction()
+
+dynamic_symbols(--defined-only exported)
+dynamic_symbols(--undefined-only imported)
+list(REMOVE_ITEM exported VBGPD_1) # the version node
+list(SORT exported)
+file(STRINGS ${SYMBOLS} expected)
+if(NOT exported STREQUAL expected)
+  message(SEND_ERROR "exported:\n${exported}\nexpected:\n${expected}")
+endif()
+
+list(LENGTH imported count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "no imported symbols found; the check would pass whatever the library does")
+endif()
+foreach(name exit _exit _Exit abort printf vprintf puts putchar fprintf vfprintf fwrite fputs fputc setlocale signal sigaction getenv
+    secure_getenv __printf_chk __fprintf_chk __assert_fail)
+  if(name IN_LIST imported)
+    message(SEND_ERROR "the library imports ${name}")
+  endif()
+endforeach()

@@ -1,0 +1,180 @@
+#include "exchange/scene_text.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+#include <string>
+
+#include "exchange/scene_buffer.h"
+#include "scene_fixture.h"
+
+namespace vbgpd {
+namespace {
+
+/// A scene in kPa with `extra` among its fields.
+std::string scene_text(const std::string& extra = "") {
+  return R"({
+  "name": "embankment", "units": "kPa",
+  "profile": {"exterior": [{"x": 0, "y": 0}, {"y": 0, "x": 32}, {"x": 12, "y": 10}, {"x": 0, "y": 10}]},
+  "materials": [{"name": "soil", "unit_weight": 20, "cohesion": 10, "friction_angle": 20}],
+  "layers": [{"material": "soil"}],
+  )" + extra +
+         R"("spacing": 0.5
+})";
+}
+
+SceneDef read(const std::string& text) { return scene_from_flatbuffer(scene_text_to_flatbuffer(text, "a.json")); }
+
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+    return "";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.issue().status, Status::kFormat);
+    return error.what();
+  }
+}
+
+TEST(SceneText, TurnsKilopascalsIntoPascals) {
+  std::string text = scene_text(
+      R"("loads": [{"x0": 0, "x1": 6, "pressure": 20}, {"x0": 7, "x1": 8, "pressure": 1, "pressure_end": 2}], )");
+  const auto at = text.find("\"cohesion\"");
+  text.insert(at, R"("young_modulus": 5000, "tension_cutoff": 3, "dilatancy_angle": 5, )");
+  text.insert(at, R"("cohesion_gradient": 2, "cohesion_datum": 4, )");
+  const SceneDef scene = read(text);
+  const MaterialDef& soil = scene.materials.at(0);
+  EXPECT_EQ(soil.unit_weight, 20000);
+  EXPECT_EQ(soil.young_modulus, 5e6);
+  EXPECT_EQ(soil.cohesion, 10000);
+  EXPECT_EQ(soil.tension_cutoff, 3000);
+  EXPECT_EQ(soil.cohesion_gradient, 2000);
+  EXPECT_EQ(soil.cohesion_datum, 4);  // lengths and angles are the same in both systems
+  EXPECT_EQ(soil.friction_angle, 20);
+  EXPECT_EQ(soil.dilatancy_angle, 5);
+  EXPECT_EQ(scene.loads.at(0).pressure, 20000);
+  EXPECT_EQ(scene.loads.at(0).pressure_end, 20000);  // absent: uniform
+  EXPECT_EQ(scene.loads.at(1).pressure_end, 2000);
+  EXPECT_EQ(scene.exterior.at(1).x, 32);
+  EXPECT_EQ(scene.spacing, 0.5);
+}
+
+TEST(SceneText, TakesSiAsItIs) {
+  std::string text = scene_text();
+  text.replace(text.find("kPa"), 3, "SI");
+  EXPECT_EQ(read(text).materials.at(0).unit_weight, 20);
+}
+
+TEST(SceneText, FillsWhatIsAbsentOrNullWithDefaults) {
+  const SceneDef scene = read(scene_text(R"("gravity": null, "numerics": {"smoothing_ratio": null}, )")), usual;
+  const MaterialDef soil = scene.materials.at(0), usual_soil;
+  EXPECT_EQ(soil.law, usual_soil.law);
+  EXPECT_EQ(soil.young_modulus, usual_soil.young_modulus);
+  EXPECT_EQ(soil.poisson_ratio, usual_soil.poisson_ratio);
+  EXPECT_TRUE(std::isnan(soil.tension_cutoff));
+  EXPECT_EQ(scene.gravity, usual.gravity);
+  EXPECT_EQ(scene.smoothing_ratio, usual.smoothing_ratio);
+  EXPECT_EQ(scene.kernel, usual.kernel);
+  EXPECT_EQ(scene.strength_reduction.tolerance, usual.strength_reduction.tolerance);
+  EXPECT_TRUE(scene.boundaries.empty());
+}
+
+TEST(SceneText, KnowsTheFourKindsOfBoundary) {
+  const SceneDef scene = read(scene_text(
+      R"("boundaries": [{"side": "left", "kind": "free"}, {"side": "base", "kind": "fixed"},
+         {"side": "right", "kind": "roller"},
+         {"polyline": [{"x": 0, "y": 0}, {"x": 1, "y": 0}], "kind": "velocity", "vx": 0.1, "vy": -0.2}], )"));
+  ASSERT_EQ(scene.boundaries.size(), 4u);
+  EXPECT_EQ(scene.boundaries[0].kind, BoundaryKind::kFree);
+  EXPECT_EQ(scene.boundaries[1].kind, BoundaryKind::kFixed);
+  EXPECT_EQ(scene.boundaries[2].kind, BoundaryKind::kRoller);
+  EXPECT_EQ(scene.boundaries[3].kind, BoundaryKind::kVelocity);
+  EXPECT_EQ(scene.boundaries[3].vy, -0.2);
+}
+
+TEST(SceneText, AcceptsByteOrderMarkCommentsAndWindowsLineEnds) {
+  std::string text = "\xEF\xBB\xBF// a slope\n";
+  text += scene_text(R"(/* flat "ground" { */ )");
+  text += "\n// the end\n";
+  EXPECT_EQ(refusal(text), "");
+  for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos; at += 2) text.insert(at, 1, '\r');
+  EXPECT_EQ(refusal(text), "");
+}
+
+TEST(SceneText, StartsMessagesWithFileLineAndColumn) {
+  const std::string text = scene_text("\"spacng\": 1,\n  ");
+  EXPECT_EQ(refusal(text),
+            "a.json:6:3: unknown field \"spacng\"; did you mean \"spacing\"? (known here: name, source, units, "
+            "profile, materials, "
+            "layers, boundaries, loads, seismic, gravity, spacing, numerics, strength_reduction, published)");
+}
+
+TEST(SceneText, CountsColumnsInCharacters) {
+  EXPECT_EQ(refusal(scene_text("\"source\": \"\xC3\xA4\xC3\xB6\xC3\xBC\", \"kh\": 0, ")).substr(0, 12), "a.json:6:20:");
+}
+
+TEST(SceneText, ReportsAllMisspeltFieldsAtOnce) {
+  std::string text = scene_text("\"gravty\": 1, ");
+  text.replace(text.find("friction_angle"), 14, "phi");
+  const std::string said = refusal(text);
+  EXPECT_NE(said.find("a.json:4:69: materials[0]: unknown field \"phi\" (known here: name, law,"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("\na.json:6:3: unknown field \"gravty\"; did you mean \"gravity\"?"), std::string::npos) << said;
+}
+
+TEST(SceneText, NamesAMisspeltFieldOnceAndNotAsMissingToo) {
+  std::string text = scene_text();
+  text.replace(text.find("\"spacing\""), 9, "\"Spacing\"");
+  const std::string said = refusal(text);
+  EXPECT_NE(said.find("did you mean \"spacing\"?"), std::string::npos);
+  EXPECT_EQ(said.find("required"), std::string::npos) << said;
+}
+
+TEST(SceneText, RefusesSecondValuesOfAField) {
+  EXPECT_EQ(refusal(scene_text("\"gravity\": 9.81, \"gravity\": 1.62, ")),
+            "a.json:6:20: gravity is written a second time: keep the value that is meant");
+}
+
+TEST(SceneText, RefusesWhatOnlyLooksLikeANumber) {
+  for (const char* bad : {"nan", "NaN", "inf", "-inf", "Infinity", "-Infinity", "1e999", "true", "0x10", "+1", "1.2.3",
+                          "rad(180)", "\"9.81\"", "\"nan\"", "[9.81]", "{\"value\": 9.81}"}) {
+    const std::string said = refusal(scene_text(std::string("\"gravity\": ") + bad + ", "));
+    EXPECT_EQ(said.find("a.json:6:14: gravity: "), 0u) << bad << ": " << said;
+  }
+}
+
+TEST(SceneText, AcceptsEveryWayToWriteAFiniteNumber) {
+  for (const char* good : {"9.81", "981e-2", "0.981E1", "98.1e-01", "9.8100000000000000000000001"})
+    EXPECT_EQ(read(scene_text(std::string("\"gravity\": ") + good + ", ")).gravity, 9.81) << good;
+}
+
+TEST(SceneText, ReadsNumbersTheSameInEveryLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C"})
+    if (std::setlocale(LC_ALL, name)) {
+      EXPECT_EQ(read(scene_text()).spacing, 0.5) << name;
+    }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(SceneText, HasNoWayToReadOtherFilesOrChangeTheSchema) {
+  EXPECT_NE(refusal("include \"vbgpd.fbs\";\n" + scene_text()), "");
+  EXPECT_NE(refusal("table Extra { x:int; }\n" + scene_text()), "");
+  EXPECT_NE(refusal(scene_text() + "root_type Point;"), "");
+}
+
+TEST(SceneText, SurvivesEveryCutAndEveryChangedByte) {
+  const std::string text = scene_text("\"boundaries\": [{\"side\": \"base\", \"kind\": \"fixed\"}], ");
+  for (std::size_t n = 0; n < text.size(); ++n) EXPECT_NE(refusal(text.substr(0, n)), "") << "first " << n << " bytes";
+  int refused = 0;
+  for (std::size_t at = 0; at < text.size(); ++at)
+    for (const char c : {'"', '}', '\\', 'z', '\0'}) {
+      std::string changed = text;
+      changed[at] = c;
+      refused += !refusal(changed).empty();
+    }
+  EXPECT_GT(refused, static_cast<int>(3 * text.size()));
+}
+
+}  // namespace
+}  // namespace vbgpd
