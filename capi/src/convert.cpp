@@ -55,13 +55,15 @@ std::string_view text_in(const char* text, std::int64_t length, int argument, co
   }
   if (length == 0) return {};
   require_not_null(text, argument, name);
-  const std::string_view view = length < 0 ? std::string_view(text) : std::string_view(text, static_cast<std::size_t>(length));
+  const std::string_view view =
+      length < 0 ? std::string_view(text) : std::string_view(text, static_cast<std::size_t>(length));
   require_utf8(view, argument, name);
   return view;
 }
 
 bool text_fits(std::string_view text, const char* buf, std::int64_t cap, std::int64_t* needed, int argument) {
-  if (cap < 0) refuse(argument + 1, "The capacity of the text buffer is " + std::to_string(cap) + "; it must be 0 or more.");
+  if (cap < 0)
+    refuse(argument + 1, "The capacity of the text buffer is " + std::to_string(cap) + "; it must be 0 or more.");
   if (cap > 0) require_not_null(buf, argument, "buf");
   const auto size = static_cast<std::int64_t>(text.size());
   if (needed != nullptr) *needed = size;
@@ -117,8 +119,9 @@ void points_out(const std::vector<Point>& points, double* xy, std::int64_t strid
   require_not_null(xy, argument, "xy");
   require_stride(stride, argument + 1);
   if (cap < count) {
-    throw ArgumentError(argument + 2, Status::kBuffer,
-                        "The array holds " + std::to_string(cap) + " points; " + std::to_string(count) + " are needed.");
+    throw ArgumentError(
+        argument + 2, Status::kBuffer,
+        "The array holds " + std::to_string(cap) + " points; " + std::to_string(count) + " are needed.");
   }
   char* const at = reinterpret_cast<char*>(xy);
   for (std::int64_t i = 0; i < count; ++i) {

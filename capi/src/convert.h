@@ -53,7 +53,8 @@ void points_out(const std::vector<Point>& points, double* xy, std::int64_t strid
 
 vbgpd_error_info info_of(const Issue& issue, int argument);
 
-/// Fills an issue or error record for the caller: info and text may be NULL. Arguments 2 to 5 or, behind an index, 3 to 6.
+/// Fills an issue or error record for the caller: info and text may be NULL. Arguments 2 to 5 or, behind an index, 3
+/// to 6.
 void issue_out(const Issue& issue, int fault_argument, vbgpd_error_info* info, char* text, std::int64_t cap,
                std::int64_t* needed, int argument);
 
@@ -61,8 +62,7 @@ void issue_out(const Issue& issue, int fault_argument, vbgpd_error_info* info, c
 template <class List>
 const typename List::value_type* item_at(const List& list, std::int64_t i, int argument) {
   if (i < 0) {
-    throw ArgumentError(argument, Status::kArgument,
-                        "The index is " + std::to_string(i) + "; it must be 0 or more.");
+    throw ArgumentError(argument, Status::kArgument, "The index is " + std::to_string(i) + "; it must be 0 or more.");
   }
   return static_cast<std::uint64_t>(i) < list.size() ? &list[static_cast<std::size_t>(i)] : nullptr;
 }

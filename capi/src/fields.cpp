@@ -10,9 +10,9 @@ namespace {
 Location location_in(std::int32_t location, int argument) {
   if (location == VBGPD_AT_PARTICLE) return Location::kParticle;
   if (location == VBGPD_AT_BOND) return Location::kBond;
-  throw ArgumentError(argument, Status::kArgument,
-                      "The location is " + std::to_string(location) +
-                          "; it must be VBGPD_AT_PARTICLE (1) or VBGPD_AT_BOND (2).");
+  throw ArgumentError(
+      argument, Status::kArgument,
+      "The location is " + std::to_string(location) + "; it must be VBGPD_AT_PARTICLE (1) or VBGPD_AT_BOND (2).");
 }
 
 std::int64_t item_count(const Simulation& simulation, Location location) {
@@ -83,15 +83,17 @@ vbgpd_status read_field(const vbgpd_model* model, std::int32_t field, Number* ds
     const Simulation& simulation = *object.engine->simulation;
     const FieldInfo& info = field_in(field, 2);
     if (cap < 0) {
-      throw ArgumentError(6, Status::kArgument, "The capacity is " + std::to_string(cap) + " items; it must be 0 or more.");
+      throw ArgumentError(6, Status::kArgument,
+                          "The capacity is " + std::to_string(cap) + " items; it must be 0 or more.");
     }
     const std::int64_t count = item_count(simulation, info.location);
     if (n != nullptr) *n = count;
     if (cap == 0) return Status::kOk;
     require_not_null(dst, 3, "dst");
     if (cap < count) {
-      throw ArgumentError(6, Status::kBuffer,
-                          "The array holds " + std::to_string(cap) + " items; " + std::to_string(count) + " are needed.");
+      throw ArgumentError(
+          6, Status::kBuffer,
+          "The array holds " + std::to_string(cap) + " items; " + std::to_string(count) + " are needed.");
     }
     const Strides strides = strides_in(stride_item, stride_component, info.components, count, 4);
     scatter(rows_of<Number>(simulation, field, info.type), info.components, strides, dst);

@@ -1,5 +1,5 @@
-// R2: the engine computes in the default floating-point environment (rounding to nearest, no traps, no flush to zero) and
-// hands the caller's back, exception flags included.
+// R2: the engine computes in the default floating-point environment (rounding to nearest, no traps, no flush to zero)
+// and hands the caller's back, exception flags included.
 #pragma once
 
 #include <cfenv>

@@ -71,8 +71,8 @@ class Inside {
   Status status_;
 };
 
-/// Runs body(object) for a handle; a failure is kept on the object. Wrong handles, BUSY and REENTRANT leave no record: the
-/// record belongs to whoever is inside.
+/// Runs body(object) for a handle; a failure is kept on the object. Wrong handles, BUSY and REENTRANT leave no record:
+/// the record belongs to whoever is inside.
 template <class Handle, class Body>
 vbgpd_status with(Handle* handle, const Body& body) noexcept {
   const Pinned<Handle> object(handle);

@@ -1,8 +1,8 @@
 // Handles: which ones are alive, and who is inside them. The table behind it is the only global of the library.
 //
-// A handle is not an address. It is an odd number made of a slot of the table and the generation of that slot, so that no
-// handle is ever dereferenced before it was looked up, a destroyed one never becomes valid again and no aligned pointer of
-// the host can be taken for one. It uses 47 bits: runtimes that box pointers into doubles can carry it.
+// A handle is not an address. It is an odd number made of a slot of the table and the generation of that slot, so that
+// no handle is ever dereferenced before it was looked up, a destroyed one never becomes valid again and no aligned
+// pointer of the host can be taken for one. It uses 47 bits: runtimes that box pointers into doubles can carry it.
 #pragma once
 
 #include <atomic>
@@ -42,12 +42,15 @@ class Object {
   Gate gate_;
 };
 
-/// A new handle for `object`, which now belongs to the table; nullptr when all slots are taken. Never throws, never locks.
+/// A new handle for `object`, which now belongs to the table; nullptr when all slots are taken. Never throws, never
+/// locks.
 void* publish(Object* object) noexcept;
-/// The object of a live handle of that kind, or nullptr. It stays alive until unpin(). Lock-free, safe in a signal handler.
+/// The object of a live handle of that kind, or nullptr. It stays alive until unpin(). Lock-free, safe in a signal
+/// handler.
 Object* pin(const void* handle, ObjectKind kind) noexcept;
 void unpin(const void* handle) noexcept;
-/// Ends the life of a pinned handle and gives its object back once nobody else has it pinned. The caller is inside its gate.
+/// Ends the life of a pinned handle and gives its object back once nobody else has it pinned. The caller is inside its
+/// gate.
 Object* withdraw(const void* handle) noexcept;
 
 }  // namespace vbgpd::capi

@@ -28,7 +28,8 @@ class Listener {
  public:
   Listener(vbgpd_progress_fn fn, void* user, const std::fenv_t& callers) : fn_(fn), user_(user), callers_(callers) {}
 
-  bool operator()(const Progress& progress) noexcept {
+  bool go_on(const Progress& progress) noexcept {
+    if (fn_ == nullptr) return true;
     const vbgpd_progress told = progress_of(progress);
     const CallersFloatEnvironment environment(callers_);
     try {
@@ -47,17 +48,25 @@ class Listener {
   bool threw_ = false;
 };
 
-Status run_slice(JobObject& object, double wall_seconds, Listener& listener, bool listening) {
-  Job::Callback callback;
-  if (listening) callback = [&listener](const Progress& progress) { return listener(progress); };
-  return object.job->run(wall_seconds, callback);
+// A slice. Whoever cancels between two slices, or as one begins, is heard too: the request stands until a slice obeyed
+// it.
+Status run_slice(JobObject& object, double wall_seconds, Listener& listener) {
+  const auto cancelled = [&object] { return object.cancel.load(std::memory_order_relaxed); };
+  Status status = Status::kCancelled;
+  if (object.job->finished() || !cancelled()) {
+    status = object.job->run(wall_seconds,
+                             [&](const Progress& progress) { return listener.go_on(progress) && !cancelled(); });
+  }
+  if (status == Status::kCancelled || object.job->finished()) object.cancel.store(false, std::memory_order_relaxed);
+  return status;
 }
 
 [[noreturn]] void report_divergence(const Job& job) {
   Issue issue;
   issue.status = Status::kDiverged;
   issue.object = ObjectKind::kJob;
-  issue.text = job.result().reason.empty() ? "The model diverged; it is back at its last good step." : job.result().reason;
+  issue.text =
+      job.result().reason.empty() ? "The model diverged; it is back at its last good step." : job.result().reason;
   throw Error(issue);
 }
 
@@ -113,9 +122,9 @@ const std::string& named_text(const JobResult& result, std::string_view name) {
   if (name == "scheme") return result.scheme;
   if (name == "reduced") return result.reduced;
   if (name == "flow_rule") return result.flow_rule;
-  throw ArgumentError(2, Status::kUnknownName,
-                      "A job has no text named \"" + std::string(name) +
-                          "\"; it has status, reason, scheme, reduced, flow_rule.");
+  throw ArgumentError(
+      2, Status::kUnknownName,
+      "A job has no text named \"" + std::string(name) + "\"; it has status, reason, scheme, reduced, flow_rule.");
 }
 
 }  // namespace
@@ -148,7 +157,7 @@ vbgpd_status vbgpd_job_run(vbgpd_job* job, double wall_seconds, vbgpd_progress_f
     const Inside inside(object.engine->gate);
     require(inside, 1, "model of this job");
     Listener listener(fn, user, callers);
-    const Status status = run_slice(object, wall_seconds, listener, fn != nullptr);
+    const Status status = run_slice(object, wall_seconds, listener);
     fill(p, progress_of(object.job->progress()));
     if (listener.threw()) throw ArgumentError(3, Status::kInternal, "The progress function threw an exception.");
     if (status == Status::kDiverged) report_divergence(*object.job);
@@ -159,6 +168,7 @@ vbgpd_status vbgpd_job_run(vbgpd_job* job, double wall_seconds, vbgpd_progress_f
 vbgpd_status vbgpd_job_cancel(vbgpd_job* job) {
   const Pinned<vbgpd_job> object(job);
   if (!object) return VBGPD_E_HANDLE;
+  object->cancel.store(true, std::memory_order_relaxed);
   object->job->cancel();
   return VBGPD_OK;
 }

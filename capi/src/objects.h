@@ -1,4 +1,5 @@
-// What the four handles stand for. Children share what they need of their parents, so any order of destruction is right.
+// What the four handles stand for. Children share what they need of their parents, so any order of destruction is
+// right.
 #pragma once
 
 #include <atomic>
@@ -45,6 +46,7 @@ struct JobObject : Object {
   explicit JobObject(std::shared_ptr<Engine> of_model) : Object(kKind), engine(std::move(of_model)) {}
   std::shared_ptr<Engine> engine;  ///< before job: outlives it
   std::unique_ptr<Job> job;
+  std::atomic<bool> cancel{false};  ///< asked for and not yet obeyed; outlives the pause between two slices
 };
 
 template <class Handle>

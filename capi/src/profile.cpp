@@ -18,10 +18,14 @@ void append(std::vector<Part>& parts, Part part, std::int64_t* id) {
 
 BoundaryKind boundary_kind(std::int32_t kind, int argument) {
   switch (kind) {
-    case VBGPD_BOUNDARY_FREE: return BoundaryKind::kFree;
-    case VBGPD_BOUNDARY_FIXED: return BoundaryKind::kFixed;
-    case VBGPD_BOUNDARY_ROLLER: return BoundaryKind::kRoller;
-    case VBGPD_BOUNDARY_VELOCITY: return BoundaryKind::kVelocity;
+    case VBGPD_BOUNDARY_FREE:
+      return BoundaryKind::kFree;
+    case VBGPD_BOUNDARY_FIXED:
+      return BoundaryKind::kFixed;
+    case VBGPD_BOUNDARY_ROLLER:
+      return BoundaryKind::kRoller;
+    case VBGPD_BOUNDARY_VELOCITY:
+      return BoundaryKind::kVelocity;
     default:
       throw ArgumentError(argument, Status::kArgument,
                           "The kind of boundary is " + std::to_string(kind) +

@@ -1,20 +1,16 @@
 // Validation of a profile: every fault the engine can find, kept as a list of issues.
 #include <algorithm>
-#include <iterator>
 
 #include "convert.h"
 #include "geometry/check.h"
 #include "guard.h"
-#include "scene/validate.h"
 
 using namespace vbgpd;
 using namespace vbgpd::capi;
 
 vbgpd_status vbgpd_profile_validate(vbgpd_profile* profile, int64_t* errors, int64_t* warnings) {
   return with(profile, [&](ProfileObject& object) {
-    std::vector<Issue> issues = validate(object.scene);
-    std::vector<Issue> geometric = check_geometry(object.scene);
-    issues.insert(issues.end(), std::make_move_iterator(geometric.begin()), std::make_move_iterator(geometric.end()));
+    std::vector<Issue> issues = all_issues(object.scene);
     object.issues.swap(issues);
     const auto count = [&](Severity severity) {
       return std::count_if(object.issues.begin(), object.issues.end(),

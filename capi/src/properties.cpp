@@ -49,7 +49,8 @@ std::vector<vbgpd_property_info> table_of(std::int32_t object_kind) {
   }
   if (object_kind == VBGPD_OBJECT_JOB) {
     for (const JobOption& option : job_options()) {
-      table.push_back(info_of(option.name, option.unit, option.doc, option.default_value, option.min_value, option.max_value));
+      table.push_back(
+          info_of(option.name, option.unit, option.doc, option.default_value, option.min_value, option.max_value));
     }
   }
   return table;

@@ -61,15 +61,24 @@ std::int64_t size_of(const auto& list) { return static_cast<std::int64_t>(list.s
 
 const char* kind_name(ObjectKind kind) {
   switch (kind) {
-    case ObjectKind::kContext: return "context";
-    case ObjectKind::kProfile: return "profile";
-    case ObjectKind::kMaterial: return "material";
-    case ObjectKind::kLayer: return "layer";
-    case ObjectKind::kLoad: return "load";
-    case ObjectKind::kBoundary: return "boundary";
-    case ObjectKind::kModel: return "model";
-    case ObjectKind::kJob: return "job";
-    default: return "object";
+    case ObjectKind::kContext:
+      return "context";
+    case ObjectKind::kProfile:
+      return "profile";
+    case ObjectKind::kMaterial:
+      return "material";
+    case ObjectKind::kLayer:
+      return "layer";
+    case ObjectKind::kLoad:
+      return "load";
+    case ObjectKind::kBoundary:
+      return "boundary";
+    case ObjectKind::kModel:
+      return "model";
+    case ObjectKind::kJob:
+      return "job";
+    default:
+      return "object";
   }
 }
 
@@ -84,11 +93,16 @@ ObjectKind part_kind(std::int32_t object_kind, int argument) {
 
 std::int64_t part_count(const SceneDef& scene, ObjectKind kind) {
   switch (kind) {
-    case ObjectKind::kMaterial: return size_of(scene.materials);
-    case ObjectKind::kLayer: return size_of(scene.layers);
-    case ObjectKind::kLoad: return size_of(scene.loads);
-    case ObjectKind::kBoundary: return size_of(scene.boundaries);
-    default: return 1;
+    case ObjectKind::kMaterial:
+      return size_of(scene.materials);
+    case ObjectKind::kLayer:
+      return size_of(scene.layers);
+    case ObjectKind::kLoad:
+      return size_of(scene.loads);
+    case ObjectKind::kBoundary:
+      return size_of(scene.boundaries);
+    default:
+      return 1;
   }
 }
 
@@ -126,13 +140,16 @@ double default_number(ObjectKind kind, std::string_view name) {
 const Polygon& polygon_of(const SceneDef& scene, ObjectKind kind, std::int64_t id, int id_argument) {
   require_part(scene, kind, id, id_argument);
   switch (kind) {
-    case ObjectKind::kProfile: return scene.exterior;
-    case ObjectKind::kLayer: return scene.layers[static_cast<std::size_t>(id)].polygon;
-    case ObjectKind::kBoundary: return scene.boundaries[static_cast<std::size_t>(id)].polyline;
+    case ObjectKind::kProfile:
+      return scene.exterior;
+    case ObjectKind::kLayer:
+      return scene.layers[static_cast<std::size_t>(id)].polygon;
+    case ObjectKind::kBoundary:
+      return scene.boundaries[static_cast<std::size_t>(id)].polyline;
     default:
-      throw ArgumentError(id_argument - 1, Status::kArgument,
-                          std::string("A ") + kind_name(kind) +
-                              " has no vertices; the profile, layers and boundaries have.");
+      throw ArgumentError(
+          id_argument - 1, Status::kArgument,
+          std::string("A ") + kind_name(kind) + " has no vertices; the profile, layers and boundaries have.");
   }
 }
 

@@ -181,19 +181,37 @@ void draw_to_band(std::vector<Vec2>& line, const CellGrid& rate, double reach) {
   }
 }
 
-/// Lengthens the line at both ends, straight on, until it leaves the exterior.
+/// Where a ray from `from` first meets the exterior, as a multiple of `direction`; infinity when it does not.
+double first_hit(const Polygon& exterior, const Vec2& from, const Vec2& direction) {
+  double nearest = INFINITY;
+  for (std::size_t k = 0; k < exterior.size(); ++k) {
+    const Point &p = exterior[k], &q = exterior[(k + 1) % exterior.size()];
+    const Vec2 a(p.x, p.y), e = Vec2(q.x, q.y) - a, d = a - from;
+    const double det = direction.y() * e.x() - direction.x() * e.y();
+    if (det == 0) continue;
+    const double t = (d.y() * e.x() - d.x() * e.y()) / det, s = (direction.x() * d.y() - direction.y() * d.x()) / det;
+    if (t >= 0 && s >= -1e-9 && s <= 1 + 1e-9) nearest = std::min(nearest, t);
+  }
+  return nearest;
+}
+
+Vec2 nearest_on(const Polygon& exterior, const Vec2& x) {
+  Vec2 best = x;
+  double least = INFINITY;
+  for (std::size_t k = 0; k < exterior.size(); ++k) {
+    const Point &p = exterior[k], &q = exterior[(k + 1) % exterior.size()];
+    const Vec2 a(p.x, p.y), e = Vec2(q.x, q.y) - a;
+    const double t = e.squaredNorm() > 0 ? std::clamp((x - a).dot(e) / e.squaredNorm(), 0.0, 1.0) : 0;
+    if ((a + t * e - x).norm() < least) least = (a + t * e - x).norm(), best = a + t * e;
+  }
+  return best;
+}
+
+/// Lengthens the line at both ends to the outline: straight on where that is near, else the shortest way.
 void reach_surface(std::vector<Vec2>& line, const Polygon& exterior, double most) {
   const auto extend = [&](const Vec2& end, const Vec2& direction) {
-    double nearest = most;
-    for (std::size_t k = 0; k < exterior.size(); ++k) {
-      const Point &p = exterior[k], &q = exterior[(k + 1) % exterior.size()];
-      const Vec2 a(p.x, p.y), e = Vec2(q.x, q.y) - a, d = a - end;
-      const double det = direction.x() * -e.y() + direction.y() * e.x();
-      if (det == 0) continue;
-      const double t = (d.x() * -e.y() + d.y() * e.x()) / det, s = (direction.x() * d.y() - direction.y() * d.x()) / det;
-      if (t >= 0 && s >= -1e-9 && s <= 1 + 1e-9) nearest = std::min(nearest, t);
-    }
-    return Vec2(end + nearest * direction);
+    const double straight = first_hit(exterior, end, direction);
+    return straight <= most ? Vec2(end + straight * direction) : nearest_on(exterior, end);
   };
   const std::size_t n = line.size(), span = std::min<std::size_t>(3, n - 1);
   const Vec2 head = extend(line.front(), (line.front() - line[span]).normalized());
@@ -260,7 +278,7 @@ SlipSurface slip_surface(const Simulation& simulation, const Instant& before, co
   smooth(line, 4);
   draw_to_band(line, rate, 2.5 * spacing);
   smooth(line, 4);
-  reach_surface(line, simulation.scene().exterior, 4 * spacing);
+  reach_surface(line, simulation.scene().exterior, 2.5 * spacing);
   if (line.front().x() > line.back().x()) std::reverse(line.begin(), line.end());
   for (const Vec2& p : line) out.line.push_back({p.x(), p.y()});
   return out;

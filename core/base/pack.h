@@ -55,7 +55,7 @@ VBGPD_INLINE bool any(Mask m) {
 VBGPD_INLINE double root(double v) { return __builtin_sqrt(v); }
 VBGPD_INLINE Pack root(Pack v) {
 #if defined(__AVX512F__) && VBGPD_WIDTH == 8
-  return reinterpret_cast<Pack>(_mm512_sqrt_pd(reinterpret_cast<__m512d>(v)));
+  return reinterpret_cast<Pack>(_mm512_maskz_sqrt_pd(0xff, reinterpret_cast<__m512d>(v)));
 #elif defined(__AVX__) && VBGPD_WIDTH == 4
   return reinterpret_cast<Pack>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(v)));
 #else

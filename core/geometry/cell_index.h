@@ -27,7 +27,8 @@ class CellIndex {
     const Index begin = start_[ix - first_], end = start_[ix - first_ + 1];
     if (begin == end) return -1;
     const auto& seeds = *seeds_;
-    const std::int64_t guess = begin + (static_cast<std::int64_t>(iy) - seeds[begin].iy);  // right when the column has no gap
+    const std::int64_t guess =
+        begin + (static_cast<std::int64_t>(iy) - seeds[begin].iy);  // right when the column has no gap
     if (guess < begin) return -1;
     if (guess < end && seeds[guess].iy == iy) return static_cast<Index>(guess);
     const auto last = seeds.begin() + end;

@@ -1,4 +1,5 @@
-// The only file that includes CGAL. Exact predicates on the coordinates as given; kernel, Polygon_2 and intersections are LGPL.
+// The only file that includes CGAL. Exact predicates on the coordinates as given; kernel, Polygon_2 and intersections
+// are LGPL.
 #include "geometry/check.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -38,7 +39,11 @@ class PolygonChecker {
  public:
   PolygonChecker(const Polygon& polygon, std::string title, ObjectKind object, std::int64_t id, Real extent,
                  std::vector<Issue>& issues)
-      : polygon_(open_polygon(polygon)), title_(std::move(title)), object_(object), id_(id), extent_(extent),
+      : polygon_(open_polygon(polygon)),
+        title_(std::move(title)),
+        object_(object),
+        id_(id),
+        extent_(extent),
         issues_(issues) {}
 
   /// True when the polygon has no fault.
@@ -48,12 +53,9 @@ class PolygonChecker {
       repeated();
       scale();
       collect_distinct();
-      if (points_.size() < 3)
-        too_few();
-      else if (collinear())
-        no_area();
-      else if (!CGAL::is_simple_2(points_.begin(), points_.end(), Kernel()))
-        crossings(issues_.size() > before);
+      if (points_.size() < 3) too_few();
+      else if (collinear()) no_area();
+      else if (!CGAL::is_simple_2(points_.begin(), points_.end(), Kernel())) crossings(issues_.size() > before);
     }
     return issues_.size() == before;
   }
@@ -91,8 +93,9 @@ class PolygonChecker {
       const Point& p = polygon_[i];
       const auto [first, is_new] = seen.emplace(std::make_pair(p.x, p.y), i);
       if (!is_new)
-        report(i, p, kNone, "vertices " + std::to_string(first->second) + " and " + std::to_string(i) +
-                                       " are the same point " + place(p.x, p.y, extent_) + "; every vertex must be given once");
+        report(i, p, kNone,
+               "vertices " + std::to_string(first->second) + " and " + std::to_string(i) + " are the same point " +
+                   place(p.x, p.y, extent_) + "; every vertex must be given once");
     }
     distinct_ = seen.size();
   }
@@ -148,7 +151,8 @@ class PolygonChecker {
     return result;
   }
 
-  // Every pair of edges that meet elsewhere than at a common vertex; edges sorted by their left end to skip distant ones.
+  // Every pair of edges that meet elsewhere than at a common vertex; edges sorted by their left end to skip distant
+  // ones.
   void crossings(bool has_repeats) {
     std::vector<Issue> found;
     issues_.swap(found);
@@ -158,9 +162,8 @@ class PolygonChecker {
       for (std::size_t j = i + 1; j < all.size() && all[j].segment.min().x() <= all[i].segment.max().x(); ++j)
         if (CGAL::do_intersect(all[i].segment, all[j].segment) && ++count <= kMostCrossings) crossing(all[i], all[j]);
     issues_.swap(found);
-    std::sort(found.begin(), found.end(), [](const Issue& a, const Issue& b) {
-      return a.item != b.item ? a.item < b.item : a.value < b.value;
-    });
+    std::sort(found.begin(), found.end(),
+              [](const Issue& a, const Issue& b) { return a.item != b.item ? a.item < b.item : a.value < b.value; });
     for (Issue& issue : found) issues_.push_back(std::move(issue));
     if (found.empty() && !has_repeats)
       report(0, polygon_[0], kNone, "its edges touch each other; a polygon must not touch itself");
@@ -197,7 +200,8 @@ class PolygonChecker {
     const Point from = as_given(common.source()), to = as_given(common.target());
     report(e.from, from, static_cast<Real>(f.from),
            "edges " + std::to_string(e.from) + " and " + std::to_string(f.from) + " run over each other from " +
-               place(from.x, from.y, extent_) + " to " + place(to.x, to.y, extent_) + "; a polygon must not touch itself");
+               place(from.x, from.y, extent_) + " to " + place(to.x, to.y, extent_) +
+               "; a polygon must not touch itself");
   }
 
   Polygon polygon_;
@@ -240,7 +244,8 @@ std::vector<Issue> check_geometry(const SceneDef& scene) {
   for (std::size_t k = 0; k < scene.layers.size(); ++k) {
     const Polygon& polygon = scene.layers[k].polygon;
     sound.push_back(polygon.empty() || PolygonChecker(polygon, layer_title(scene, k), ObjectKind::kLayer,
-                                                      static_cast<std::int64_t>(k), extent, issues).run());
+                                                      static_cast<std::int64_t>(k), extent, issues)
+                                           .run());
   }
   if (exterior_sound && !too_small(extent, issues)) check_layers(scene, sound, issues);
   if (measurable) check_boundaries(scene, issues);

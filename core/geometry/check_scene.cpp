@@ -29,8 +29,12 @@ void put(Issue& issue, const Point& p) {
 class LayerChecker {
  public:
   LayerChecker(const SceneDef& scene, const std::vector<bool>& sound, std::vector<Issue>& issues)
-      : scene_(scene), sound_(sound), issues_(issues), origin_(box_of(scene.exterior).low),
-        extent_(box_of(scene.exterior).extent()), exterior_(local(open_polygon(scene.exterior), origin_)) {}
+      : scene_(scene),
+        sound_(sound),
+        issues_(issues),
+        origin_(box_of(scene.exterior).low),
+        extent_(box_of(scene.exterior).extent()),
+        exterior_(local(open_polygon(scene.exterior), origin_)) {}
 
   void run() {
     std::vector<Vertices> polygons;
@@ -88,7 +92,8 @@ class LayerChecker {
 
   void painted_over(std::size_t layer) {
     Issue issue = issue_of(Severity::kWarning, ObjectKind::kLayer, layer);
-    issue.text = layer_title(scene_, layer) + ": is wholly painted over by later layers and has no effect; put it after them";
+    issue.text =
+        layer_title(scene_, layer) + ": is wholly painted over by later layers and has no effect; put it after them";
     issues_.push_back(issue);
   }
 
@@ -162,9 +167,11 @@ void check_loads(const SceneDef& scene, std::vector<Issue>& issues) {
       issues.push_back(issue);
     }
     if (std::min(load.x0, load.x1) >= left - slack && std::max(load.x0, load.x1) <= right + slack) continue;
-    issue.x = issue.value = std::min(load.x0, load.x1) < left - slack ? std::min(load.x0, load.x1) : std::max(load.x0, load.x1);
-    issue.text = title + "from x = " + range + " is off the ground surface, which spans x = " + coordinate(left, extent) +
-                 " to " + coordinate(right, extent) + "; x0 and x1 must lie within";
+    issue.x = issue.value =
+        std::min(load.x0, load.x1) < left - slack ? std::min(load.x0, load.x1) : std::max(load.x0, load.x1);
+    issue.text = title + "from x = " + range +
+                 " is off the ground surface, which spans x = " + coordinate(left, extent) + " to " +
+                 coordinate(right, extent) + "; x0 and x1 must lie within";
     issues.push_back(issue);
   }
 }

@@ -10,8 +10,8 @@ namespace vbgpd {
 /// "layers[2] 'weak band'"
 std::string layer_title(const SceneDef& scene, std::size_t layer);
 
-/// Layers outside the exterior, painted over, soil left bare. `sound[k]`: polygon k has no fault of its own; faulty ones are left
-/// out, and then nothing is said about bare soil and painting over. Needs a sound exterior.
+/// Layers outside the exterior, painted over, soil left bare. `sound[k]`: polygon k has no fault of its own; faulty
+/// ones are left out, and then nothing is said about bare soil and painting over. Needs a sound exterior.
 void check_layers(const SceneDef& scene, const std::vector<bool>& sound, std::vector<Issue>& issues);
 
 /// Points of boundary polylines that do not lie on the exterior.

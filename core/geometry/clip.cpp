@@ -60,8 +60,8 @@ class Cutter {
     rows(half, column, middle, end);
   }
 
-  // True when every edge runs along the outline of the block, so that the block is wholly inside or wholly outside. Clipping
-  // writes the line's own coordinate, hence the comparisons are exact.
+  // True when every edge runs along the outline of the block, so that the block is wholly inside or wholly outside.
+  // Clipping writes the line's own coordinate, hence the comparisons are exact.
   bool follows_block(const Vertices& piece, Index column, Index begin, Index end) const {
     const Vec2 low(grid_.x[column], grid_.y[begin]), high(grid_.x[column + 1], grid_.y[end]);
     for (std::size_t i = 0, j = piece.size() - 1; i < piece.size(); j = i++) {
@@ -87,7 +87,9 @@ Grid make_grid(const Lattice& lattice, const Vertices& exterior, const std::vect
   const Vec2 last = (box.high.cwiseQuotient(lattice.spacing).array() - kHairline).ceil().max(first.array() + 1);
   const Real cells = (last - first).prod();
   if (!(cells <= kMostCells) || !(first.cwiseAbs().maxCoeff() <= kMostCells)) {
-    throw Error(Issue{.status = Status::kLimit, .object = ObjectKind::kProfile, .value = cells,
+    throw Error(Issue{.status = Status::kLimit,
+                      .object = ObjectKind::kProfile,
+                      .value = cells,
                       .text = "the lattice would have " + number(cells) + " cells; at most " + number(kMostCells) +
                               " are possible: use a larger spacing"});
   }

@@ -7,9 +7,9 @@
 namespace vbgpd {
 namespace {
 
-constexpr Real kAir = 0.25;    // of the smaller spacing: a shorter piece outside is no gap
-constexpr Real kSoil = 0.1;    // of the smaller spacing: less soil than this at an end only grazes
-constexpr Index kNear = 3;     // cells: longer than any pair
+constexpr Real kAir = 0.25;  // of the smaller spacing: a shorter piece outside is no gap
+constexpr Real kSoil = 0.1;  // of the smaller spacing: less soil than this at an end only grazes
+constexpr Index kNear = 3;   // cells: longer than any pair
 
 // Where along p-q (0..1) the segment a-b meets it.
 std::optional<Real> crossing(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) {
@@ -114,8 +114,8 @@ class AirFinder {
 
 }  // namespace
 
-std::vector<CutPair> cut_pairs(const Vertices& exterior, const std::vector<HeldEdge>& held, const std::vector<Seed>& seeds,
-                               const Vec2& spacing) {
+std::vector<CutPair> cut_pairs(const Vertices& exterior, const std::vector<HeldEdge>& held,
+                               const std::vector<Seed>& seeds, const Vec2& spacing) {
   if (is_convex(exterior)) return {};
   return AirFinder(exterior, held, seeds, spacing).run();
 }

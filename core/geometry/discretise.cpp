@@ -38,9 +38,12 @@ std::vector<Seed> merged(const std::vector<Seed>& soil, const std::vector<Seed>&
 void check_count(std::size_t count, std::int64_t max_particles) {
   const std::int64_t most = max_particles > 0 ? max_particles : std::numeric_limits<Index>::max();
   if (static_cast<std::int64_t>(count) <= most) return;
-  throw Error(Issue{.status = Status::kLimit, .object = ObjectKind::kProfile, .value = static_cast<double>(count),
-                    .text = "the section needs " + std::to_string(count) + " particles (walls included), more than the " +
-                            std::to_string(most) + " allowed: use a larger spacing or allow more particles"});
+  throw Error(Issue{.status = Status::kLimit,
+                    .object = ObjectKind::kProfile,
+                    .value = static_cast<double>(count),
+                    .text = "the section needs " + std::to_string(count) +
+                            " particles (walls included), more than the " + std::to_string(most) +
+                            " allowed: use a larger spacing or allow more particles"});
 }
 
 Real ground_height(const std::vector<Point>& ground, const Box& box) {

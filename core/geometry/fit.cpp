@@ -1,5 +1,6 @@
-// The lattice that meets the key lines of a section. Coarse cells are counted, not measured, in x (the extent must fit); in y
-// the spacing is free and candidates come from the levels themselves, so that an exact fit is found when there is one.
+// The lattice that meets the key lines of a section. Coarse cells are counted, not measured, in x (the extent must
+// fit); in y the spacing is free and candidates come from the levels themselves, so that an exact fit is found when
+// there is one.
 #include <algorithm>
 #include <cmath>
 
@@ -10,16 +11,16 @@
 namespace vbgpd {
 namespace {
 
-constexpr Real kReach = 0.1;          // spacings within 10 % of the one asked
-constexpr Real kKeepSpacing = 0.02;   // price of ln(spacing / asked)^2 against misfit^2
-constexpr Real kKeepSquare = 0.03;    // price of ln(dx / dy)^2
-constexpr Real kSame = 1e-9;          // of the extent: edges this straight are horizontal or vertical
+constexpr Real kReach = 0.1;         // spacings within 10 % of the one asked
+constexpr Real kKeepSpacing = 0.02;  // price of ln(spacing / asked)^2 against misfit^2
+constexpr Real kKeepSquare = 0.03;   // price of ln(dx / dy)^2
+constexpr Real kSame = 1e-9;         // of the extent: edges this straight are horizontal or vertical
 
 // Weights of misfit^2. Levels of the exterior count most: off the edges they cost per cents of the factor of safety.
 constexpr Real kCrestToe = 0.5;
-constexpr Real kExterior = 1.0;       // times length / width (height)
+constexpr Real kExterior = 1.0;  // times length / width (height)
 constexpr Real kLoadEnd = 0.5;
-constexpr Real kLayer = 0.25;         // times length / width
+constexpr Real kLayer = 0.25;  // times length / width
 constexpr Real kBreakPoint = 0.05;
 
 struct KeyLine {
@@ -86,7 +87,8 @@ KeyLines key_lines(const SceneDef& scene, const Polygon& outline, const Vec2& or
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
       if (std::abs(a.y() - b.y()) > straight || a.y() < 0 || a.y() > lines.size.y()) continue;
-      const Real length = std::abs(std::clamp(b.x(), Real(0), lines.size.x()) - std::clamp(a.x(), Real(0), lines.size.x()));
+      const Real length =
+          std::abs(std::clamp(b.x(), Real(0), lines.size.x()) - std::clamp(a.x(), Real(0), lines.size.x()));
       lines.y.push_back({a.y(), kLayer * length / lines.size.x(), false});
     }
   }
@@ -185,7 +187,8 @@ Vec2 best_pair(const std::vector<Candidate>& xs, const std::vector<Candidate>& y
 
 void check_spacing(Real spacing, const Vec2& size) {
   const std::string said = "spacing = " + number(spacing) + " m ";
-  if (!(spacing > 0) || !std::isfinite(spacing)) fail(Status::kRange, spacing, said + "must be a finite length above 0");
+  if (!(spacing > 0) || !std::isfinite(spacing))
+    fail(Status::kRange, spacing, said + "must be a finite length above 0");
   if (spacing > size.minCoeff() / 2 * (1 + kSame))
     fail(Status::kRange, spacing,
          said + "is larger than half the section's smaller extent (" + number(size.x()) + " m wide, " +
@@ -201,12 +204,14 @@ void check_spacing(Real spacing, const Vec2& size) {
 }  // namespace
 
 Lattice fit_lattice(const SceneDef& scene, Real spacing, int multiple) {
-  if (multiple < 1) throw Error(Status::kArgument, "the lattice multiple is " + std::to_string(multiple) + "; it must be at least 1");
+  if (multiple < 1)
+    throw Error(Status::kArgument, "the lattice multiple is " + std::to_string(multiple) + "; it must be at least 1");
   const Polygon exterior = counter_clockwise(scene.exterior);
   const Vec2 origin = box_of(exterior).low;
   const Vec2 size = box_of(exterior).size();
   if (exterior.size() < 3 || !(size.minCoeff() > 0) || !size.allFinite())
-    fail(Status::kGeometry, kNone, "the exterior of the profile encloses no area; it needs at least 3 vertices that do");
+    fail(Status::kGeometry, kNone,
+         "the exterior of the profile encloses no area; it needs at least 3 vertices that do");
   check_spacing(spacing, size);
   const KeyLines lines = key_lines(scene, exterior, origin);
   const Real asked = spacing * multiple;
@@ -219,7 +224,9 @@ Lattice fit_lattice(const SceneDef& scene, Real spacing, int multiple) {
 }
 
 Lattice coarsened(const Lattice& lattice, int factor) {
-  if (factor < 1) throw Error(Status::kArgument, "a lattice cannot be made " + std::to_string(factor) + " times coarser; the factor must be at least 1");
+  if (factor < 1)
+    throw Error(Status::kArgument,
+                "a lattice cannot be made " + std::to_string(factor) + " times coarser; the factor must be at least 1");
   Lattice result = lattice;
   result.spacing *= factor;
   return result;

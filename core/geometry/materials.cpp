@@ -14,8 +14,8 @@ struct Patch {
 
 // What the layers leave in each cell: one layer that fills it, with later ones that cover part of it.
 struct Coats {
-  std::vector<Index> ground;          // per seed: last layer that fills the cell, -1 = none
-  std::vector<Index> patched;         // per seed: index into patches, -1 = none
+  std::vector<Index> ground;   // per seed: last layer that fills the cell, -1 = none
+  std::vector<Index> patched;  // per seed: index into patches, -1 = none
   std::vector<std::vector<Patch>> patches;
 
   explicit Coats(std::size_t seeds) : ground(seeds, -1), patched(seeds, -1) {}
@@ -41,7 +41,8 @@ std::vector<Index> layer_materials(const SceneDef& scene) {
     for (std::size_t m = 0; m < scene.materials.size() && found < 0; ++m)
       if (scene.materials[m].name == scene.layers[k].material) found = static_cast<Index>(m);
     if (found < 0) {
-      throw Error(Issue{.status = Status::kUnknownName, .object = ObjectKind::kLayer,
+      throw Error(Issue{.status = Status::kUnknownName,
+                        .object = ObjectKind::kLayer,
                         .object_id = static_cast<std::int64_t>(k),
                         .text = "layers[" + std::to_string(k) + "].material = '" + scene.layers[k].material +
                                 "': there is no material of this name"});
@@ -117,10 +118,11 @@ void fill_gaps(const Vec2& spacing, Soil& soil) {
   std::vector<Index> found;
   for (Index i : gaps) {
     const Seed& seed = soil.seeds[i];
-    const Index near = nearest_seed(index, seed.ix, seed.iy, 64, spacing,
-                                    [&](Index j) { return soil.seeds[j].material >= 0; });
+    const Index near =
+        nearest_seed(index, seed.ix, seed.iy, 64, spacing, [&](Index j) { return soil.seeds[j].material >= 0; });
     if (near < 0) {
-      throw Error(Issue{.status = Status::kGeometry, .object = ObjectKind::kProfile,
+      throw Error(Issue{.status = Status::kGeometry,
+                        .object = ObjectKind::kProfile,
                         .text = "no layer covers the soil about cell (" + std::to_string(seed.ix) + ", " +
                                 std::to_string(seed.iy) +
                                 ") of the lattice; add a layer without polygon to fill the exterior"});

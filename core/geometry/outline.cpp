@@ -73,10 +73,14 @@ class Perimeter {
 
 Hold hold_of(BoundaryKind kind) {
   switch (kind) {
-    case BoundaryKind::kFixed: return Hold::kFixed;
-    case BoundaryKind::kRoller: return Hold::kRoller;
-    case BoundaryKind::kVelocity: return Hold::kVelocity;
-    case BoundaryKind::kFree: break;
+    case BoundaryKind::kFixed:
+      return Hold::kFixed;
+    case BoundaryKind::kRoller:
+      return Hold::kRoller;
+    case BoundaryKind::kVelocity:
+      return Hold::kVelocity;
+    case BoundaryKind::kFree:
+      break;
   }
   return Hold::kFree;
 }
@@ -84,7 +88,10 @@ Hold hold_of(BoundaryKind kind) {
 class Holder {
  public:
   Holder(const Vertices& exterior, const Vec2& origin)
-      : exterior_(exterior), origin_(origin), outline_(outline_of(exterior)), perimeter_(exterior),
+      : exterior_(exterior),
+        origin_(origin),
+        outline_(outline_of(exterior)),
+        perimeter_(exterior),
         extent_(box_of(exterior).extent()) {}
 
   void hold(const BoundaryDef& boundary, Index index) {

@@ -11,7 +11,8 @@ namespace vbgpd {
 /// Vertex indices of a counter-clockwise exterior along its parts.
 struct Outline {
   std::vector<std::size_t> ground;  ///< leftmost top to rightmost top vertex, left to right
-  std::vector<std::size_t> base;    ///< lowest vertex at the left end to the lowest at the right end, along the lower side
+  std::vector<std::size_t>
+      base;  ///< lowest vertex at the left end to the lowest at the right end, along the lower side
   std::vector<std::size_t> left, right;  ///< edges at the left and right end, first vertex of each
 };
 Outline outline_of(const Vertices& exterior);
@@ -28,6 +29,7 @@ struct HeldEdge {
 std::vector<BoundaryDef> boundaries_of(const SceneDef& scene);
 
 /// The held edges in the local frame. Between two points of a polyline the shorter way along the exterior is held.
-std::vector<HeldEdge> held_edges(const std::vector<BoundaryDef>& boundaries, const Vertices& exterior, const Vec2& origin);
+std::vector<HeldEdge> held_edges(const std::vector<BoundaryDef>& boundaries, const Vertices& exterior,
+                                 const Vec2& origin);
 
 }  // namespace vbgpd

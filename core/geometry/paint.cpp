@@ -53,10 +53,8 @@ class Slab {
     std::fill(inside_.begin(), inside_.end(), 0);
     bool in_exterior = false;
     for (std::size_t k = 0; k + 1 < spans.size(); ++k) {
-      if (spans[k].owner == kExterior)
-        in_exterior = !in_exterior;
-      else
-        inside_[spans[k].owner] ^= 1;
+      if (spans[k].owner == kExterior) in_exterior = !in_exterior;
+      else inside_[spans[k].owner] ^= 1;
       if (!in_exterior) continue;
       const Real area = (x1 - x0) * (spans[k + 1].y0 - spans[k].y0 + spans[k + 1].y1 - spans[k].y1) / 2;
       if (area > 0) count(area, Vec2((x0 + x1) / 2, middle(spans[k], spans[k + 1])), fills);

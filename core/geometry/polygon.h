@@ -1,5 +1,5 @@
-// Plane polygons in the local frame (scene coordinates minus the lower left corner of the box, so that map-sized coordinates
-// lose no digits in areas): boxes, areas, moments, inside or outside.
+// Plane polygons in the local frame (scene coordinates minus the lower left corner of the box, so that map-sized
+// coordinates lose no digits in areas): boxes, areas, moments, inside or outside.
 #pragma once
 
 #include <vector>

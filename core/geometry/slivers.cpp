@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
 #include <numeric>
 #include <queue>
+#include <tuple>
 
 #include "geometry/soil.h"
 
@@ -8,39 +12,65 @@ namespace vbgpd {
 namespace {
 
 struct Neighbour {
-  Index root = -1;      // the seed that would take the sliver, -1 = none
-  bool sliver = true;   // is that one less than half full itself
-  Real contact = 0;     // length of the common soil edge
+  Index root = -1;     // the seed that would take the sliver, -1 = none
+  bool sliver = true;  // is that one less than half full itself
+  Real contact = 0;    // length of the common soil edge
   Real volume = 0;
 };
 
 class Merger {
  public:
   Merger(const Grid& grid, const Vec2& spacing, Real slack, Soil& soil)
-      : grid_(grid), soil_(soil), index_(soil.seeds), into_(soil.seeds.size()), next_(soil.seeds.size()),
-        h_(spacing.minCoeff()), half_(0.5 * spacing.prod() * (1 - slack)) {
+      : grid_(grid),
+        soil_(soil),
+        index_(soil.seeds),
+        into_(soil.seeds.size()),
+        next_(soil.seeds.size()),
+        changed_(soil.seeds.size(), 0),
+        h_(spacing.minCoeff()),
+        half_(0.5 * spacing.prod() * (1 - slack)) {
     std::iota(into_.begin(), into_.end(), 0);
     std::iota(next_.begin(), next_.end(), 0);
   }
 
   void run() {
-    using Entry = std::pair<Real, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> smallest;
-    for (std::size_t i = 0; i < into_.size(); ++i)
-      if (is_sliver(static_cast<Index>(i))) smallest.emplace(soil_.seeds[i].volume, static_cast<Index>(i));
-    while (!smallest.empty()) {
-      const auto [volume, i] = smallest.top();
-      smallest.pop();
-      if (into_[i] != i || soil_.seeds[i].volume != volume) continue;  // changed since it was queued
-      const Index target = best_neighbour(i);
-      if (target < 0) continue;
-      absorb(i, target);
-      if (is_sliver(target)) smallest.emplace(soil_.seeds[target].volume, target);
-    }
+    for (std::size_t i = 0; i < into_.size(); ++i) enqueue(static_cast<Index>(i));
+    while (!smallest_.empty()) merge_batch();
     compact();
   }
 
  private:
+  using Entry = std::tuple<std::int64_t, Index, Index>;  // volume in steps, row, seed
+
+  // Volumes equal but for round-off are taken row by row, wherever the section lies and whatever its size.
+  Entry entry(Index i) const {
+    constexpr Real kSteps = 1 << 20;
+    return {std::llround(soil_.seeds[i].volume / half_ * kSteps), soil_.seeds[i].iy, i};
+  }
+
+  void enqueue(Index i) {
+    if (is_sliver(i)) smallest_.push(entry(i));
+  }
+
+  // Slivers of one size choose before any of them is merged, so that the choice does not depend on their order (nor on
+  // which way the slope faces). Two slivers that grew in this round wait for the next.
+  void merge_batch() {
+    std::vector<std::pair<Index, Neighbour>> batch;
+    for (const std::int64_t size = std::get<0>(smallest_.top());
+         !smallest_.empty() && std::get<0>(smallest_.top()) == size; smallest_.pop()) {
+      const Index i = std::get<2>(smallest_.top());
+      if (into_[i] == i && entry(i) == smallest_.top())
+        batch.emplace_back(i, best_neighbour(i));  // else it has changed
+    }
+    ++round_;
+    for (const auto& [i, choice] : batch) {
+      if (into_[i] != i || choice.root < 0) continue;
+      const bool stale = changed_[i] == round_ || (choice.sliver && changed_[choice.root] == round_);
+      if (!stale) absorb(i, choice.root);
+      enqueue(stale ? i : choice.root);
+    }
+  }
+
   bool is_sliver(Index i) const { return soil_.seeds[i].volume < half_; }
 
   Index root(Index i) const {
@@ -78,12 +108,12 @@ class Merger {
   bool better(const Neighbour& a, const Neighbour& b) const {
     if (a.root < 0 || b.root < 0) return b.root < 0 && a.root >= 0;
     if (a.sliver != b.sliver) return !a.sliver;
-    if (a.contact > b.contact + 1e-7 * h_) return true;
-    if (a.contact < b.contact - 1e-7 * h_) return false;
-    return a.volume > b.volume + 1e-7 * h_ * h_;
+    if (a.volume < b.volume - 1e-7 * h_ * h_) return true;
+    if (a.volume > b.volume + 1e-7 * h_ * h_) return false;
+    return a.contact > b.contact + 1e-7 * h_;
   }
 
-  Index best_neighbour(Index leader) const {
+  Neighbour best_neighbour(Index leader) const {
     static constexpr Index kSides[4][2] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
     static constexpr Index kCorners[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
     Neighbour best;
@@ -98,7 +128,7 @@ class Merger {
       } while (i != leader);
       if (best.root >= 0) break;
     }
-    return best.root;
+    return best;
   }
 
   void absorb(Index i, Index target) {
@@ -107,6 +137,7 @@ class Merger {
     to.centroid += from.volume / volume * (from.centroid - to.centroid);
     to.volume = volume;
     into_[i] = target;
+    changed_[i] = changed_[target] = round_;
     std::swap(next_[i], next_[target]);  // joins the two rings of members
   }
 
@@ -124,8 +155,11 @@ class Merger {
   const Grid& grid_;
   Soil& soil_;
   CellIndex index_;
-  std::vector<Index> into_;  // per seed: itself, or the seed it was merged into
-  std::vector<Index> next_;  // per seed: the next of its group, in a ring
+  std::vector<Index> into_;     // per seed: itself, or the seed it was merged into
+  std::vector<Index> next_;     // per seed: the next of its group, in a ring
+  std::vector<Index> changed_;  // per seed: the round in which it last took or was taken
+  Index round_ = 0;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> smallest_;
   Real h_, half_;
 };
 

@@ -21,7 +21,9 @@ std::array<Real, 4> contacts(const Vertices& outline, const Vec2& low, const Vec
 }
 
 [[noreturn]] void too_many(std::int64_t max_particles, Real cells, const Vec2& spacing) {
-  throw Error(Issue{.status = Status::kLimit, .object = ObjectKind::kProfile, .value = cells,
+  throw Error(Issue{.status = Status::kLimit,
+                    .object = ObjectKind::kProfile,
+                    .value = cells,
                     .text = "spacings of " + number(spacing.x()) + " m and " + number(spacing.y()) + " m need about " +
                             number(cells) + " soil particles, more than the " + std::to_string(max_particles) +
                             " allowed: use a larger spacing or allow more particles"});

@@ -22,12 +22,9 @@ class WallBuilder {
       : exterior_(exterior), soil_(soil), index_(soil), spacing_(spacing), h_(spacing.minCoeff()), reach_(reach) {}
 
   void behind(const HeldEdge& edge) {
-    if (std::abs(edge.normal.y()) < kSlack)
-      beside_rows(edge);
-    else if (std::abs(edge.b.x() - edge.a.x()) >= std::abs(edge.b.y() - edge.a.y()))
-      along(edge, 0);
-    else
-      along(edge, 1);
+    if (std::abs(edge.normal.y()) < kSlack) beside_rows(edge);
+    else if (std::abs(edge.b.x() - edge.a.x()) >= std::abs(edge.b.y() - edge.a.y())) along(edge, 0);
+    else along(edge, 1);
   }
 
   // The wedge beyond both edges where one ends and the next begins.
@@ -67,9 +64,7 @@ class WallBuilder {
   Vec2 center(Index ix, Index iy) const { return {(ix + 0.5) * spacing_.x(), (iy + 0.5) * spacing_.y()}; }
 
   // Within reach cells in x and in y (centres sit at half cells).
-  bool near(const Vec2& away) const {
-    return away.cwiseQuotient(spacing_).cwiseAbs().maxCoeff() < reach_ - kSlack;
-  }
+  bool near(const Vec2& away) const { return away.cwiseQuotient(spacing_).cwiseAbs().maxCoeff() < reach_ - kSlack; }
 
   void add(Index ix, Index iy, Real distance, const HeldEdge& edge) {
     if (index_.find(ix, iy) >= 0) return;
@@ -147,8 +142,8 @@ class WallBuilder {
 
 }  // namespace
 
-std::vector<Seed> wall_seeds(const std::vector<HeldEdge>& edges, const Vertices& exterior, const std::vector<Seed>& soil,
-                             const Vec2& spacing, int reach) {
+std::vector<Seed> wall_seeds(const std::vector<HeldEdge>& edges, const Vertices& exterior,
+                             const std::vector<Seed>& soil, const Vec2& spacing, int reach) {
   WallBuilder walls(exterior, soil, spacing, reach);
   for (const HeldEdge& edge : edges) walls.behind(edge);
   // Edges that start where another ends, found by sorting the starts by x.

@@ -59,7 +59,7 @@ constexpr NamedValue kValues[] = {
     {"plastic_dissipation", "J", "by dynamic steps, per metre run", 0, 0, kInf, false, false},
     {"damping_dissipation", "J", "by dynamic steps, per metre run", 0, 0, kInf, false, false},
     {"external_work", "J", "of weight, seismic force and loads in dynamic steps, per metre run", 0, -kInf, kInf, false, false},
-    {"energy_residual", "1", "external work - kinetic - elastic - dissipated, relative to the largest of them", 0, 0, kInf, false, false},
+    {"energy_residual", "1", "external work - kinetic - elastic - dissipated, relative to the largest of them (velocities brought to the time of the displacements)", 0, 0, kInf, false, false},
 };
 
 }  // namespace

@@ -137,6 +137,16 @@ Sums LatticeSimulation::evaluate() const {
   return sums;
 }
 
+Real LatticeSimulation::half_step_work() const {
+  probe_ = state_;
+  Controls c = evaluation_controls();
+  c.time_step = dynamic_time_step();
+  c.ledger = true;
+  Sums sums;
+  run_step(probe_, scratch_, c, sums);
+  return sums.internal_work / 2;
+}
+
 StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* cancel) {
   StepReport report;
   const Workers::Session session(workers_);
@@ -304,7 +314,8 @@ double LatticeSimulation::get(std::string_view name) const {
   if (name == "energy_residual") {
     const Real kinetic = monitors().kinetic_energy, elastic = elastic_energy();
     const Real largest = std::max({std::fabs(ledger_.external), kinetic, elastic, ledger_.plastic, ledger_.damping});
-    return largest > 0 ? std::fabs(ledger_.external - kinetic - elastic - ledger_.plastic - ledger_.damping) / largest : 0;
+    const Real residual = ledger_.external - kinetic - elastic - ledger_.plastic - ledger_.damping - half_step_work();
+    return largest > 0 ? std::fabs(residual) / largest : 0;
   }
   throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
 }

@@ -36,6 +36,7 @@ class LatticeSimulation final : public Simulation {
   const Model& model() const { return model_; }
   State& state() { return state_; }
   const std::vector<LawConstants>& constants() const { return constants_; }
+  StepData step_data_for_tests() { return data(state_, scratch_); }
 
  private:
   struct Ledger {
@@ -50,6 +51,8 @@ class LatticeSimulation final : public Simulation {
   Controls evaluation_controls() const;
   /// Brings scratch up to date with the state without moving anything; returns the unbalanced force ratio.
   Sums evaluate() const;
+  /// Work of the internal forces over the half step by which velocities lag behind displacements (leap-frog).
+  Real half_step_work() const;
   void read_particles(int field, std::vector<double>& out) const;
   void read_bonds(int field, std::vector<double>& out) const;
 

@@ -59,6 +59,7 @@ std::string factor_of_safety_label(const FosResult& r) {
     const std::string value = format("FS = %.3f", r.factor_of_safety);
     return std::isfinite(r.error_estimate) ? value + format(" ± %.3f", r.error_estimate) : value;
   }
+  if (r.status == "CANCELLED") return "FS not found";  // a bracket so far may be that of a coarse grid
   const bool above = std::isfinite(r.srf_stable), below = std::isfinite(r.srf_unstable);
   if (above && below) return format("FS between %.3f and %.3f", r.srf_stable, r.srf_unstable);
   if (above) return format("FS > %.3f", r.srf_stable);

@@ -8,7 +8,7 @@ namespace cli {
 
 std::string material_text(const vbgpd_profile* profile, std::int64_t material) {
   const auto value = [&](const char* name) { return number(profile, VBGPD_OBJECT_MATERIAL, material, name); };
-  const auto kilo = [&](const char* name) { return plain_number(value(name) / 1000, 5); };
+  const auto kilo = [&](const char* name) { return plain_number(value(name) / 1000, 4); };
   const std::string law = text(profile, VBGPD_OBJECT_MATERIAL, material, "law");
   std::string line = "γ " + kilo("unit_weight") + " kN/m³";
   if (law == "elastic") return line + ", elastic";

@@ -102,14 +102,12 @@ std::vector<picture::Cell> cells(const vbgpd_model* model) {
 }
 
 std::string footer(const vbgpd_model* model, const FosResult& result) {
-  const bool bonds = result.scheme != "none";
-  std::string line = bonds ? "Method: VB-GPD, virtual bonds reconstructed from the published introduction"
-                           : "Method: corrected nodal SPH, no virtual bonds";
-  line += "; strength reduction";
-  if (!result.flow_rule.empty()) line += ", " + result.flow_rule;
-  line += ". Spacing " + plain_number(number(model, "spacing_x"), 3) + " m, " +
-          counted(static_cast<std::int64_t>(number(model, "particles")), "particle");
-  return line + "; vbgpd " + vbgpd_version_string() + ", state " + result.hash;
+  const auto particles = static_cast<std::int64_t>(number(model, "particles"));
+  std::string line = "Method: " + result.scheme + "; strength reduction";
+  if (!result.reduced.empty()) line += " of " + result.reduced;
+  if (!result.flow_rule.empty()) line += "; flow rule " + result.flow_rule;
+  line += ". Spacing " + plain_number(number(model, "spacing_x"), 3) + " m, " + counted(particles, "particle");
+  return line + ". vbgpd " + vbgpd_version_string() + ", state " + result.hash;
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ static vbgpd_status set_name(vbgpd_profile* p, const char* text, int64_t length)
 }
 
 static void text_buffers(vbgpd_profile* p) {
-  const char* const name = "Hang bei K\xc3\xb6ln \xe2\x9b\xb0 \xf0\x9f\x8f\x94"; /* two, three and four byte sequences */
+  const char* const name =
+      "Hang bei K\xc3\xb6ln \xe2\x9b\xb0 \xf0\x9f\x8f\x94"; /* two, three and four byte sequences */
   const int64_t size = (int64_t)strlen(name);
   char buf[64];
   int64_t needed = -1;
@@ -34,7 +35,8 @@ static void text_buffers(vbgpd_profile* p) {
 }
 
 static void wrong_texts(vbgpd_profile* p) {
-  static const char* const not_utf8[] = {"\xff", "\xc3", "\xc0\xaf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "a\x80"};
+  static const char* const not_utf8[] = {"\xff", "\xc3", "\xc0\xaf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80",
+                                         "a\x80"};
   char buf[16];
   size_t i;
   CHECK_OK(set_name(p, "kept", VBGPD_STRLEN));

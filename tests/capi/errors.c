@@ -49,7 +49,8 @@ static void records(vbgpd_profile* p) {
   CHECK(strcmp(small, "###") == 0 && needed > 4);
   CHECK_OK(vbgpd_profile_error(p, NULL, NULL, 0, NULL));
   CHECK(profile_error(p).status == VBGPD_E_ARGUMENT);
-  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_profile_get_f64(p, VBGPD_OBJECT_MATERIAL, 0, "cohesoin", VBGPD_STRLEN, &value));
+  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME,
+               vbgpd_profile_get_f64(p, VBGPD_OBJECT_MATERIAL, 0, "cohesoin", VBGPD_STRLEN, &value));
   info = profile_error(p);
   CHECK(info.status == VBGPD_E_UNKNOWN_NAME && info.argument == 4);
   CHECK_CONTAINS(text, "\"cohesoin\"");

@@ -1,4 +1,5 @@
-/* R2: whatever rounding, traps and flush-to-zero the host has set, the engine computes the same bits and hands it back. */
+/* R2: whatever rounding, traps and flush-to-zero the host has set, the engine computes the same bits and hands it back.
+ */
 #if defined(__GLIBC__) || defined(__linux__)
 #define _GNU_SOURCE /* feenableexcept */
 #endif

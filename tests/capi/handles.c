@@ -1,4 +1,5 @@
-/* NULL, stale, foreign and wrong-kind handles for every function; check_names.cmake sees to it that none is forgotten. */
+/* NULL, stale, foreign and wrong-kind handles for every function; check_names.cmake sees to it that none is forgotten.
+ */
 #include "slope.h"
 
 static double xy[2];
@@ -15,62 +16,62 @@ static vbgpd_trial trial;
 static vbgpd_level level;
 
 /* kind of handle, function, arguments with `h` as the handle */
-#define FUNCTIONS_OF_HANDLES(X)                                                                          \
-  X(CONTEXT, vbgpd_context_error, (h, &info, text, 8, &n))                                               \
-  X(CONTEXT, vbgpd_context_destroy, (h))                                                                 \
-  X(CONTEXT, vbgpd_profile_create, (h, (vbgpd_profile**)&out))                                           \
-  X(CONTEXT, vbgpd_profile_create_from_flatbuffer, (h, "VBGP", 4, (vbgpd_profile**)&out))                \
-  X(CONTEXT, vbgpd_model_create, (h, good_profile, (vbgpd_model**)&out))                                 \
-  X(PROFILE, vbgpd_profile_error, (h, &info, text, 8, &n))                                               \
-  X(PROFILE, vbgpd_profile_destroy, (h))                                                                 \
-  X(PROFILE, vbgpd_profile_set_exterior, (h, xy, 16, 1))                                                 \
-  X(PROFILE, vbgpd_profile_add_material, (h, "clay", VBGPD_STRLEN, &id))                                 \
-  X(PROFILE, vbgpd_profile_add_layer, (h, NULL, 16, 0, 0, &id))                                          \
-  X(PROFILE, vbgpd_profile_add_boundary, (h, "base", 4, NULL, 16, 0, VBGPD_BOUNDARY_FIXED, &id))         \
-  X(PROFILE, vbgpd_profile_add_load, (h, 0, 1, 2, 3, &id))                                               \
-  X(PROFILE, vbgpd_profile_set_f64, (h, VBGPD_OBJECT_PROFILE, 0, "kh", 2, 0.0))                          \
-  X(PROFILE, vbgpd_profile_get_f64, (h, VBGPD_OBJECT_PROFILE, 0, "kh", 2, &value))                       \
-  X(PROFILE, vbgpd_profile_set_text, (h, VBGPD_OBJECT_PROFILE, 0, "name", 4, "x", 1))                    \
-  X(PROFILE, vbgpd_profile_get_text, (h, VBGPD_OBJECT_PROFILE, 0, "name", 4, text, 8, &n))               \
-  X(PROFILE, vbgpd_profile_count, (h, VBGPD_OBJECT_LAYER, &n))                                           \
-  X(PROFILE, vbgpd_profile_polygon, (h, VBGPD_OBJECT_PROFILE, 0, xy, 16, 1, &n))                         \
-  X(PROFILE, vbgpd_profile_validate, (h, &n, &n))                                                        \
-  X(PROFILE, vbgpd_profile_issue, (h, 0, &info, text, 8, &n))                                            \
-  X(MODEL, vbgpd_model_error, (h, &info, text, 8, &n))                                                   \
-  X(MODEL, vbgpd_model_destroy, (h))                                                                     \
-  X(MODEL, vbgpd_model_set_f64, (h, "damping", 7, 0.0))                                                  \
-  X(MODEL, vbgpd_model_get_f64, (h, "time", 4, &value))                                                  \
-  X(MODEL, vbgpd_model_step, (h, 1, &advance))                                                           \
-  X(MODEL, vbgpd_model_cancel, (h))                                                                      \
-  X(MODEL, vbgpd_job_create_equilibrium, (h, (vbgpd_job**)&out))                                         \
-  X(MODEL, vbgpd_job_create_strength_reduction, (h, (vbgpd_job**)&out))                                  \
-  X(MODEL, vbgpd_model_item_count, (h, VBGPD_AT_BOND, &n))                                               \
-  X(MODEL, vbgpd_model_read_f64, (h, 0, xy, 0, 0, 1, &n))                                                \
-  X(MODEL, vbgpd_model_read_i64, (h, 0, &id, 0, 0, 1, &n))                                               \
-  X(MODEL, vbgpd_model_state_hash, (h, &hash))                                                           \
-  X(JOB, vbgpd_job_error, (h, &info, text, 8, &n))                                                       \
-  X(JOB, vbgpd_job_destroy, (h))                                                                         \
-  X(JOB, vbgpd_job_set_f64, (h, "levels", 6, 1.0))                                                       \
-  X(JOB, vbgpd_job_run, (h, 0.01, NULL, NULL, &progress))                                                \
-  X(JOB, vbgpd_job_cancel, (h))                                                                          \
-  X(JOB, vbgpd_job_get_f64, (h, "levels", 6, &value))                                                    \
-  X(JOB, vbgpd_job_get_text, (h, "status", 6, text, 8, &n))                                              \
-  X(JOB, vbgpd_job_trial, (h, 0, &trial))                                                                \
-  X(JOB, vbgpd_job_level, (h, 0, &level))                                                                \
+#define FUNCTIONS_OF_HANDLES(X)                                                                  \
+  X(CONTEXT, vbgpd_context_error, (h, &info, text, 8, &n))                                       \
+  X(CONTEXT, vbgpd_context_destroy, (h))                                                         \
+  X(CONTEXT, vbgpd_profile_create, (h, (vbgpd_profile**)&out))                                   \
+  X(CONTEXT, vbgpd_profile_create_from_flatbuffer, (h, "VBGP", 4, (vbgpd_profile**)&out))        \
+  X(CONTEXT, vbgpd_model_create, (h, good_profile, (vbgpd_model**)&out))                         \
+  X(PROFILE, vbgpd_profile_error, (h, &info, text, 8, &n))                                       \
+  X(PROFILE, vbgpd_profile_destroy, (h))                                                         \
+  X(PROFILE, vbgpd_profile_set_exterior, (h, xy, 16, 1))                                         \
+  X(PROFILE, vbgpd_profile_add_material, (h, "clay", VBGPD_STRLEN, &id))                         \
+  X(PROFILE, vbgpd_profile_add_layer, (h, NULL, 16, 0, 0, &id))                                  \
+  X(PROFILE, vbgpd_profile_add_boundary, (h, "base", 4, NULL, 16, 0, VBGPD_BOUNDARY_FIXED, &id)) \
+  X(PROFILE, vbgpd_profile_add_load, (h, 0, 1, 2, 3, &id))                                       \
+  X(PROFILE, vbgpd_profile_set_f64, (h, VBGPD_OBJECT_PROFILE, 0, "kh", 2, 0.0))                  \
+  X(PROFILE, vbgpd_profile_get_f64, (h, VBGPD_OBJECT_PROFILE, 0, "kh", 2, &value))               \
+  X(PROFILE, vbgpd_profile_set_text, (h, VBGPD_OBJECT_PROFILE, 0, "name", 4, "x", 1))            \
+  X(PROFILE, vbgpd_profile_get_text, (h, VBGPD_OBJECT_PROFILE, 0, "name", 4, text, 8, &n))       \
+  X(PROFILE, vbgpd_profile_count, (h, VBGPD_OBJECT_LAYER, &n))                                   \
+  X(PROFILE, vbgpd_profile_polygon, (h, VBGPD_OBJECT_PROFILE, 0, xy, 16, 1, &n))                 \
+  X(PROFILE, vbgpd_profile_validate, (h, &n, &n))                                                \
+  X(PROFILE, vbgpd_profile_issue, (h, 0, &info, text, 8, &n))                                    \
+  X(MODEL, vbgpd_model_error, (h, &info, text, 8, &n))                                           \
+  X(MODEL, vbgpd_model_destroy, (h))                                                             \
+  X(MODEL, vbgpd_model_set_f64, (h, "damping", 7, 0.0))                                          \
+  X(MODEL, vbgpd_model_get_f64, (h, "time", 4, &value))                                          \
+  X(MODEL, vbgpd_model_step, (h, 1, &advance))                                                   \
+  X(MODEL, vbgpd_model_cancel, (h))                                                              \
+  X(MODEL, vbgpd_job_create_equilibrium, (h, (vbgpd_job**)&out))                                 \
+  X(MODEL, vbgpd_job_create_strength_reduction, (h, (vbgpd_job**)&out))                          \
+  X(MODEL, vbgpd_model_item_count, (h, VBGPD_AT_BOND, &n))                                       \
+  X(MODEL, vbgpd_model_read_f64, (h, 0, xy, 0, 0, 1, &n))                                        \
+  X(MODEL, vbgpd_model_read_i64, (h, 0, &id, 0, 0, 1, &n))                                       \
+  X(MODEL, vbgpd_model_state_hash, (h, &hash))                                                   \
+  X(JOB, vbgpd_job_error, (h, &info, text, 8, &n))                                               \
+  X(JOB, vbgpd_job_destroy, (h))                                                                 \
+  X(JOB, vbgpd_job_set_f64, (h, "levels", 6, 1.0))                                               \
+  X(JOB, vbgpd_job_run, (h, 0.01, NULL, NULL, &progress))                                        \
+  X(JOB, vbgpd_job_cancel, (h))                                                                  \
+  X(JOB, vbgpd_job_get_f64, (h, "levels", 6, &value))                                            \
+  X(JOB, vbgpd_job_get_text, (h, "status", 6, text, 8, &n))                                      \
+  X(JOB, vbgpd_job_trial, (h, 0, &trial))                                                        \
+  X(JOB, vbgpd_job_level, (h, 0, &level))                                                        \
   X(JOB, vbgpd_job_slip_surface, (h, xy, 16, 1, &n))
 
 /* functions without a handle; they must work, not fail */
-#define FUNCTIONS_WITHOUT(X)                                                            \
-  X(vbgpd_version_number, (vbgpd_version_number() == VBGPD_VERSION_NUMBER))             \
-  X(vbgpd_abi_version, (vbgpd_abi_version() == VBGPD_ABI_VERSION))                      \
-  X(vbgpd_version_string, (vbgpd_version_string()[0] != 0))                             \
-  X(vbgpd_status_name, (vbgpd_status_name(VBGPD_E_HANDLE)[0] != 0))                     \
-  X(vbgpd_context_desc_init, (vbgpd_context_desc_init(NULL, 8) == VBGPD_E_ARGUMENT))    \
-  X(vbgpd_context_create, (vbgpd_context_create(NULL, NULL) == VBGPD_E_ARGUMENT))       \
-  X(vbgpd_property_count, (vbgpd_property_count(VBGPD_OBJECT_JOB, &n) == VBGPD_OK))     \
+#define FUNCTIONS_WITHOUT(X)                                                                         \
+  X(vbgpd_version_number, (vbgpd_version_number() == VBGPD_VERSION_NUMBER))                          \
+  X(vbgpd_abi_version, (vbgpd_abi_version() == VBGPD_ABI_VERSION))                                   \
+  X(vbgpd_version_string, (vbgpd_version_string()[0] != 0))                                          \
+  X(vbgpd_status_name, (vbgpd_status_name(VBGPD_E_HANDLE)[0] != 0))                                  \
+  X(vbgpd_context_desc_init, (vbgpd_context_desc_init(NULL, 8) == VBGPD_E_ARGUMENT))                 \
+  X(vbgpd_context_create, (vbgpd_context_create(NULL, NULL) == VBGPD_E_ARGUMENT))                    \
+  X(vbgpd_property_count, (vbgpd_property_count(VBGPD_OBJECT_JOB, &n) == VBGPD_OK))                  \
   X(vbgpd_property_info_at, (vbgpd_property_info_at(VBGPD_OBJECT_JOB, 0, NULL) == VBGPD_E_ARGUMENT)) \
-  X(vbgpd_field_count, (vbgpd_field_count(&n) == VBGPD_OK))                             \
-  X(vbgpd_field_info_at, (vbgpd_field_info_at(0, NULL) == VBGPD_E_ARGUMENT))            \
+  X(vbgpd_field_count, (vbgpd_field_count(&n) == VBGPD_OK))                                          \
+  X(vbgpd_field_info_at, (vbgpd_field_info_at(0, NULL) == VBGPD_E_ARGUMENT))                         \
   X(vbgpd_field_find, (vbgpd_field_find("no such field", VBGPD_STRLEN, &field) == VBGPD_E_UNKNOWN_NAME))
 
 static vbgpd_profile* good_profile;

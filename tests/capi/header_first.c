@@ -1,6 +1,5 @@
 /* The header stands alone, first and twice, in C99; header_second.c includes it as well and is linked to this. */
 #include "vbgpd/vbgpd.h"
-#include "vbgpd/vbgpd.h"
 
 int second_abi(void);
 

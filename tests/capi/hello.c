@@ -28,7 +28,8 @@ static void check_results(const vbgpd_job* job) {
   double xy[2000];
   char text[64];
   const double fs = job_number(job, "factor_of_safety");
-  /* Bishop-type charts give about 0.9 to 1.2 for c/(gamma H) = 0.06, phi = 20, 45 degrees; the bounds are wide on purpose. */
+  /* Bishop-type charts give about 0.9 to 1.2 for c/(gamma H) = 0.06, phi = 20, 45 degrees; the bounds are wide on
+   * purpose. */
   CHECK(fs > 0.6 && fs < 1.6);
   CHECK(job_number(job, "srf_stable") <= job_number(job, "srf_unstable"));
   trial.struct_size = sizeof trial;

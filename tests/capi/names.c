@@ -1,4 +1,5 @@
-/* Named numbers and texts: every property of the tables can be set, read and taken back; layers follow their material. */
+/* Named numbers and texts: every property of the tables can be set, read and taken back; layers follow their material.
+ */
 #include "slope.h"
 
 static void table_is_sound(int32_t kind, int64_t least) {
@@ -48,8 +49,8 @@ static void texts(vbgpd_profile* p) {
   static const struct {
     int32_t kind;
     const char *name, *value;
-  } all[] = {{VBGPD_OBJECT_PROFILE, "name", "a"},     {VBGPD_OBJECT_PROFILE, "source", "b"},
-             {VBGPD_OBJECT_PROFILE, "bond", "none"},  {VBGPD_OBJECT_PROFILE, "kernel", "cubic_spline"},
+  } all[] = {{VBGPD_OBJECT_PROFILE, "name", "a"},       {VBGPD_OBJECT_PROFILE, "source", "b"},
+             {VBGPD_OBJECT_PROFILE, "bond", "none"},    {VBGPD_OBJECT_PROFILE, "kernel", "cubic_spline"},
              {VBGPD_OBJECT_MATERIAL, "law", "elastic"}, {VBGPD_OBJECT_BOUNDARY, "name", "rock"},
              {VBGPD_OBJECT_BOUNDARY, "side", "left"}};
   size_t i;

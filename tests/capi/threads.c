@@ -1,7 +1,9 @@
-/* Cancel from another thread and from a callback, re-entry from a callback, overlapping use. No test waits for a clock: the
- * callback holds the job still until the other thread is done. */
-#define _POSIX_C_SOURCE 200809L
+/* Cancel from another thread and from a callback, re-entry from a callback, overlapping use. No test waits for a clock:
+ * the callback holds the job still until the other thread is done. */
+#define _XOPEN_SOURCE 700 /* setitimer */
 #include <pthread.h>
+#include <signal.h>
+#include <sys/time.h>
 
 #include "slope.h"
 
@@ -70,6 +72,10 @@ static void cancel_from_another_thread(vbgpd_context* context) {
   CHECK(s.calls == 1 && progress.steps > 0);
   /* It can go on: the next slice ends by its time, not by the old request. */
   CHECK_STATUS(VBGPD_LIMIT_REACHED, vbgpd_job_run(s.job, 0.01, NULL, NULL, &progress));
+  /* A request between two slices is obeyed by the next one, and by that one only. */
+  CHECK_OK(vbgpd_job_cancel(s.job));
+  CHECK_STATUS(VBGPD_CANCELLED, vbgpd_job_run(s.job, 0.01, NULL, NULL, &progress));
+  CHECK_STATUS(VBGPD_LIMIT_REACHED, vbgpd_job_run(s.job, 0.01, NULL, NULL, &progress));
   end(&s);
 }
 
@@ -90,6 +96,29 @@ static void cancel_stepping(vbgpd_context* context) {
   CHECK_OK(vbgpd_model_step(model, 2, &result));
   CHECK(result.steps == 2 && result.time > 0 && result.time_step > 0);
   CHECK_OK(vbgpd_model_destroy(model));
+}
+
+static vbgpd_model* model_to_stop; /* a signal handler has no other way to know it */
+
+static void on_alarm(int number) {
+  (void)number;
+  vbgpd_model_cancel(model_to_stop);
+}
+
+/* The handler interrupts the very thread that is inside the model. */
+static void cancel_from_a_signal_handler(vbgpd_context* context) {
+  struct sigaction action, before;
+  struct itimerval soon;
+  model_to_stop = make_model(context, 2.5);
+  memset(&action, 0, sizeof action);
+  memset(&soon, 0, sizeof soon);
+  action.sa_handler = on_alarm;
+  soon.it_value.tv_usec = 20000;
+  CHECK(sigaction(SIGALRM, &action, &before) == 0);
+  CHECK(setitimer(ITIMER_REAL, &soon, NULL) == 0);
+  CHECK_STATUS(VBGPD_CANCELLED, vbgpd_model_step(model_to_stop, INT64_C(1) << 50, NULL));
+  CHECK(sigaction(SIGALRM, &before, NULL) == 0);
+  CHECK_OK(vbgpd_model_destroy(model_to_stop));
 }
 
 static int32_t VBGPD_CALL stop(void* user, const vbgpd_progress* p) {
@@ -256,6 +285,7 @@ int main(void) {
   vbgpd_context* context = make_context();
   cancel_from_another_thread(context);
   cancel_stepping(context);
+  cancel_from_a_signal_handler(context);
   cancel_from_a_callback(context);
   reentry_from_a_callback(context);
   overlapping_use(context);

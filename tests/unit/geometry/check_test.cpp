@@ -7,7 +7,7 @@
 
 #include "sections.h"
 
-namespace vbgpd::test {
+namespace vbgpd::geometry_test {
 namespace {
 
 bool says(const Issue& issue, const std::string& text) { return issue.text.find(text) != std::string::npos; }
@@ -49,7 +49,8 @@ TEST(CheckGeometry, NamesEdgesAndPlaceOfEveryCrossing) {
   // y = 14 - 0.4 x meets y = x - 18 at x = 32 / 1.4.
   EXPECT_NEAR(issues[0].x, 32 / 1.4, 1e-12);
   EXPECT_NEAR(issues[0].y, 32 / 1.4 - 18, 1e-12);
-  EXPECT_TRUE(says(issues[0], "layers[1] 'weak band': edges 1 and 3 cross at (22.86, 4.86); a polygon must not cross itself"))
+  EXPECT_TRUE(
+      says(issues[0], "layers[1] 'weak band': edges 1 and 3 cross at (22.86, 4.86); a polygon must not cross itself"))
       << issues[0].text;
   EXPECT_TRUE(says(issues[1], "edges 1 and 4 cross at (17.50, 7.00)")) << issues[1].text;
   EXPECT_TRUE(says(issues[2], "edges 1 and 5 cross at (14.00, 8.40)")) << issues[2].text;
@@ -59,11 +60,13 @@ TEST(CheckGeometry, ReportsTouchingAndOverlappingEdges) {
   const auto touch = check_geometry(scene_of({{0, 0}, {10, 0}, {10, 10}, {5, 0}, {0, 10}}));
   ASSERT_EQ(touch.size(), 1u) << all_text(touch);
   EXPECT_EQ(touch[0].item, 3);
-  EXPECT_TRUE(says(touch[0], "vertex 3 lies on edge 0 at (5.00, 0.00); a polygon must not touch itself")) << touch[0].text;
+  EXPECT_TRUE(says(touch[0], "vertex 3 lies on edge 0 at (5.00, 0.00); a polygon must not touch itself"))
+      << touch[0].text;
   const auto spike = check_geometry(scene_of({{0, 0}, {10, 0}, {10, 5}, {10, 3}, {0, 3}}));
   ASSERT_EQ(spike.size(), 2u) << all_text(spike);
   EXPECT_TRUE(says(spike[0], "edges 1 and 2 run over each other from (10.00, 5.00) to (10.00, 3.00)") ||
-              says(spike[0], "edges 1 and 2 run over each other from (10.00, 3.00) to (10.00, 5.00)")) << all_text(spike);
+              says(spike[0], "edges 1 and 2 run over each other from (10.00, 3.00) to (10.00, 5.00)"))
+      << all_text(spike);
 }
 
 TEST(CheckGeometry, ReportsRepeatedVertices) {
@@ -114,7 +117,8 @@ TEST(CheckGeometry, LayersMustOverlapTheExterior) {
   EXPECT_EQ(issues[0].x, 40);
   EXPECT_TRUE(says(issues[1], "layers[2] 'beside': lies wholly outside")) << issues[1].text;
   EXPECT_EQ(issues[2].severity, Severity::kWarning);
-  EXPECT_TRUE(says(issues[2], "layers[3] 'wide': lies partly outside the exterior, for example at vertex 0 (-5.00, 0.00)"))
+  EXPECT_TRUE(
+      says(issues[2], "layers[3] 'wide': lies partly outside the exterior, for example at vertex 0 (-5.00, 0.00)"))
       << issues[2].text;
   EXPECT_NEAR(issues[2].value, 5 * 3 + 8 * 3 + 3 * 6 / 2.0, 1e-9);
 }
@@ -172,7 +176,8 @@ TEST(CheckGeometry, LoadsMustLieOnTheGroundSurface) {
   EXPECT_EQ(issues[0].object, ObjectKind::kLoad);
   EXPECT_EQ(issues[0].object_id, 1);
   EXPECT_EQ(issues[0].value, 35);
-  EXPECT_TRUE(says(issues[0], "loads[1]: from x = 30.00 to 35.00 is off the ground surface, which spans x = 0.00 to 32.00"))
+  EXPECT_TRUE(
+      says(issues[0], "loads[1]: from x = 30.00 to 35.00 is off the ground surface, which spans x = 0.00 to 32.00"))
       << issues[0].text;
   EXPECT_TRUE(says(issues[1], "x0 must be less than x1")) << issues[1].text;
 }
@@ -197,4 +202,4 @@ TEST(CheckGeometry, ReportsAllFaultsOfASceneAtOnce) {
 }
 
 }  // namespace
-}  // namespace vbgpd::test
+}  // namespace vbgpd::geometry_test

@@ -5,7 +5,7 @@
 
 #include "sections.h"
 
-namespace vbgpd::test {
+namespace vbgpd::geometry_test {
 namespace {
 
 using Cells = std::tuple<Index, Index, Index, Index>;
@@ -23,7 +23,8 @@ TEST(CutPairs, PlainFacesHaveNone) {
   EXPECT_TRUE(cut(scene_of(slope()), 0.5).cut_pairs.empty());
   EXPECT_TRUE(cut(scene_of(slope_on_foundation()), 0.5).cut_pairs.empty());
   EXPECT_TRUE(cut(scene_of({{0, 0}, {30, 0}, {20, 10}, {0, 10}}), 0.5).cut_pairs.empty());
-  // 45 degrees with a foundation: particles on the face graze the air of the toe, they do not see each other through it.
+  // 45 degrees with a foundation: particles on the face graze the air of the toe, they do not see each other through
+  // it.
   EXPECT_TRUE(cut(scene_of({{0, 0}, {40, 0}, {40, 5}, {20, 5}, {10, 15}, {0, 15}}), 0.5).cut_pairs.empty());
 }
 
@@ -73,4 +74,4 @@ TEST(CutPairs, AHeldFaceIsNoAir) {
 }
 
 }  // namespace
-}  // namespace vbgpd::test
+}  // namespace vbgpd::geometry_test

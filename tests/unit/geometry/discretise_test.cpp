@@ -5,7 +5,7 @@
 
 #include "sections.h"
 
-namespace vbgpd::test {
+namespace vbgpd::geometry_test {
 namespace {
 
 std::vector<Polygon> shapes() {
@@ -78,10 +78,15 @@ TEST(Discretise, SlopeInSmallNumbersIsCutAsByHand) {
   EXPECT_DOUBLE_EQ(section.area, 220);
   EXPECT_DOUBLE_EQ(section.height, 10);
   ASSERT_NE(seed_at(section, 30, 0), nullptr);
-  EXPECT_DOUBLE_EQ(seed_at(section, 30, 0)->volume, 1.0);   // 3/4 and the toe sliver beside it
-  EXPECT_DOUBLE_EQ(seed_at(section, 29, 0)->volume, 1.25);  // a full cell and the sliver above it
-  EXPECT_DOUBLE_EQ(seed_at(section, 28, 1)->volume, 0.75);
-  EXPECT_NEAR(seed_at(section, 28, 1)->centroid.y(), 1 + (0.5 * 0.25 + 0.25 * (0.5 + 0.5 / 3)) / 0.75, 1e-12);
+  for (Index iy = 0; iy < 10; ++iy) {
+    const Index ix = 30 - 2 * iy;
+    const Seed* face = seed_at(section, ix, iy);  // with the sliver to its right a triangle 2 m wide and 1 m high
+    ASSERT_NE(face, nullptr);
+    EXPECT_DOUBLE_EQ(face->volume, 1);
+    EXPECT_NEAR((face->centroid - Vec2(ix + 2.0 / 3, iy + 1.0 / 3)).norm(), 0, 1e-12);
+    EXPECT_DOUBLE_EQ(seed_at(section, ix - 1, iy)->volume, 1);
+    EXPECT_EQ(seed_at(section, ix + 1, iy), nullptr);
+  }
   EXPECT_EQ(seed_at(section, 31, 0), nullptr);
 }
 
@@ -171,7 +176,8 @@ TEST(Discretise, GroundRunsFromLeftToRightAlongTheTop) {
     EXPECT_EQ(section.ground[i].y, expected[i].y);
   }
   EXPECT_DOUBLE_EQ(section.height, 10);
-  EXPECT_DOUBLE_EQ(cut(scene_of({{0, 0}, {8, 0}, {8, 3}, {0, 3}}), 0.5).height, 3);  // flat ground: the section's height
+  EXPECT_DOUBLE_EQ(cut(scene_of({{0, 0}, {8, 0}, {8, 3}, {0, 3}}), 0.5).height,
+                   3);  // flat ground: the section's height
 }
 
 TEST(Discretise, PaintsLayersInOrder) {
@@ -227,4 +233,4 @@ TEST(Discretise, RefusesMoreParticlesThanAllowed) {
 }
 
 }  // namespace
-}  // namespace vbgpd::test
+}  // namespace vbgpd::geometry_test

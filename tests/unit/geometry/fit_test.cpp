@@ -4,7 +4,7 @@
 
 #include "sections.h"
 
-namespace vbgpd::test {
+namespace vbgpd::geometry_test {
 namespace {
 
 double off_edge(double length, double spacing) {
@@ -121,4 +121,4 @@ TEST(CoarsenedLattice, MeetsTheSameKeyLinesWithTheSameVolume) {
 }
 
 }  // namespace
-}  // namespace vbgpd::test
+}  // namespace vbgpd::geometry_test

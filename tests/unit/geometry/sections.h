@@ -6,7 +6,7 @@
 
 #include "geometry/section.h"
 
-namespace vbgpd::test {
+namespace vbgpd::geometry_test {
 
 inline SceneDef scene_of(Polygon exterior) {
   SceneDef scene;
@@ -36,7 +36,8 @@ inline Polygon vertical_cut() { return {{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10
 inline Polygon overhang() { return {{0, 0}, {20, 0}, {20, 10}, {7.3, 10}, {10.1, 5.2}, {0, 5.2}}; }
 /// Benches with a drain between them.
 inline Polygon benches() {
-  return {{0, 0}, {40, 0}, {40, 21}, {31, 20.3}, {24, 13.1}, {20.2, 12.9}, {19.5, 11.2}, {18.7, 13}, {15, 13}, {8, 5.1}, {0, 4.7}};
+  return {{0, 0},       {40, 0},    {40, 21}, {31, 20.3}, {24, 13.1}, {20.2, 12.9},
+          {19.5, 11.2}, {18.7, 13}, {15, 13}, {8, 5.1},   {0, 4.7}};
 }
 
 inline Polygon moved(Polygon polygon, double dx, double dy) {
@@ -77,4 +78,4 @@ inline long count(const Section& section, Hold hold) {
   return std::count_if(section.seeds.begin(), section.seeds.end(), [&](const Seed& s) { return s.hold == hold; });
 }
 
-}  // namespace vbgpd::test
+}  // namespace vbgpd::geometry_test

@@ -2,7 +2,7 @@
 
 #include "sections.h"
 
-namespace vbgpd::test {
+namespace vbgpd::geometry_test {
 namespace {
 
 Polygon box() { return {{0, 0}, {8, 0}, {8, 5}, {0, 5}}; }
@@ -126,4 +126,4 @@ TEST(Walls, FreeBoundariesHoldNothing) {
 }
 
 }  // namespace
-}  // namespace vbgpd::test
+}  // namespace vbgpd::geometry_test
