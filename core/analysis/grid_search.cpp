@@ -98,11 +98,14 @@ Slices GridSearch::follow() {
   factor = std::clamp(factor, options_.srf_min, options_.srf_max);
   const RelaxOptions options;
   constexpr double kLevel = 12;      // displacement level at which the flow is read
-  constexpr double kFlat = 3e-4;
+  constexpr double kFlat = 3e-4;     // F_e is flat when two looks differ by less than this
+  constexpr double kFall = 0.01;     // and past its peak when it falls by more than this
   const std::int64_t look = std::max<std::int64_t>(2 * kWindow, response_ / 2);
   const std::int64_t most = 60 * response_;
   // 1. overshoot: raise F until the slope flows, then wait until F_e is flat and the flow developed
-  double previous = 0;
+  double best = 0, previous = 0;
+  std::shared_ptr<SavedState> best_state;
+  int falls = 0;
   std::int64_t steps = 0, looked = 0;
   set_factor(factor);
   simulation_.halt();
@@ -119,7 +122,7 @@ Slices GridSearch::follow() {
       factor = std::min(options_.srf_max, factor * (steps < 2 * response_ ? 1.2 : 1.06));
       set_factor(factor);
       simulation_.halt();
-      steps = looked = 0;
+      steps = looked = 0, best = 0, falls = 0;
       continue;
     }
     if (looked >= look) {
@@ -128,8 +131,13 @@ Slices GridSearch::follow() {
         flow_ = estimate;
         break;
       }
-      if (level > 20 * kLevel && estimate < factor) {
-        flow_ = estimate;
+      if (estimate > best) best = estimate, best_state = simulation_.save(), falls = 0;
+      else if (estimate < (1 - kFall) * best) ++falls;
+      // F_e past its peak: a skin has run away or the section has softened; the flow at the peak is the one to follow
+      if (falls >= 2 || level > 20 * kLevel) {
+        if (!(best < factor)) co_return;
+        flow_ = best;
+        simulation_.restore(*best_state);
         break;
       }
       previous = estimate, looked = 0;
@@ -137,6 +145,8 @@ Slices GridSearch::follow() {
     co_yield Pause{};
   }
   // 2. follow: come down towards F_e, gently, until it repeats
+  const auto peak = simulation_.save();
+  const double read = flow_;
   for (int round = 0; round < 8; ++round) {
     const double before = flow_;
     factor = round == 0 ? std::min(flow_ + 0.6 * (factor - flow_), 1.01 * flow_) : 1.002 * flow_;
@@ -145,13 +155,15 @@ Slices GridSearch::follow() {
     for (std::int64_t n = 0; n < std::max<std::int64_t>(2 * kWindow, 2 * response_ / 3); n += kWindow) {
       const RelaxReport r = simulation_.relax(kWindow, options);
       progress_.steps += r.steps;
-      if (r.diverged) {
-        flow_ = kNone;
-        co_return;
-      }
       if (r.unbalanced_force_ratio < 1e-5) break;
       flow_ = factor * r.power_ratio;
       co_yield Pause{};
+      if (r.diverged) break;
+    }
+    if (!(std::fabs(flow_ / before - 1) < 2 * kFall)) {  // not the flow that was read: keep that one
+      simulation_.restore(*peak);
+      flow_ = read;
+      break;
     }
     if (round > 0 && std::fabs(flow_ - before) < kFlat * flow_) break;
   }
@@ -161,8 +173,9 @@ Slices GridSearch::follow() {
 Slices GridSearch::fast_bracket() {
   const double notch = kNotch * options_.tolerance;
   double low = std::max(options_.srf_min, notched(flow_ - 0.3 * notch));
-  // lower end: the same flow comes to rest; if not, step down
+  // lower end: the same flow comes to rest; if not, step down, each time from the last state at rest
   for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
+    if (!std::isnan(failed_)) simulation_.restore(*standing_);
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
     if (done_ || verdict_ == Verdict::kStable) break;
     if (low <= options_.srf_min) {

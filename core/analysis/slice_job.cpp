@@ -37,7 +37,14 @@ Status SliceJob::run(double wall_seconds, const Callback& callback) {
   const double cpu_before = result_.cpu_seconds, wall_before = result_.wall_seconds;
   Status status = Status::kOk;
   for (;;) {
-    const bool more = slices_.next();
+    bool more = false;
+    try {
+      more = slices_.next();
+    } catch (...) {  // the analysis is over: say so at every later call
+      finished_ = true, outcome_ = Status::kInternal;
+      result_.status = "INTERNAL", result_.reason = "the analysis stopped on an internal error";
+      throw;
+    }
     const double now = watch.wall();
     result_.wall_seconds = wall_before + now;
     result_.cpu_seconds = cpu_before + watch.cpu();

@@ -17,7 +17,7 @@ inline std::optional<BondLaw> bond_law_by_name(std::string_view name) {
   return std::nullopt;
 }
 
-/// Strength of a bond that joins two materials: see core/bond/README.md for the measurement that settled it.
+/// Elastic modulus of a bond that joins two materials. Its strength: simulation/build_model.cpp, rule and measurement in README.md.
 inline double joined(double a, double b) { return 0.5 * (a + b); }
 
 }  // namespace vbgpd

@@ -23,8 +23,8 @@ struct Cone {
     const R limit = k - a * m_cap;  // strength at the capped mean stress
     const R j2 = trial.j2();
     const auto yields = (j2 > limit * limit) | (trial.m > t);
-    if (!any(yields)) return {trial, false};
     const R zero = R{};
+    if (!any(yields)) return {trial, zero, false};
     const R root_j2 = root(j2);
     const R excess = larger(root_j2 - limit, zero);
     const auto capped = trial.m > t;
@@ -37,7 +37,8 @@ struct Cone {
     m_new = select(apex, k / larger(a, R{} + 1e-300), m_new);
     const auto sheared = root_j2 > zero;
     const R ratio = select(sheared & yields, root_new / select(sheared, root_j2, R{} + 1.0), R{} + 1.0);
-    return {{trial.xx * ratio, trial.yy * ratio, trial.xy * ratio, select(yields, m_new, trial.m)}, true};
+    const R dilated = dilation * select(apex, root_j2 / shear, lambda);
+    return {{trial.xx * ratio, trial.yy * ratio, trial.xy * ratio, select(yields, m_new, trial.m)}, select(yields, dilated, zero), true};
   }
 };
 

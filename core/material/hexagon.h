@@ -112,7 +112,7 @@ struct Hexagon {
     const R largest = larger(major, zz), smallest = smaller(minor, zz);
     const R f_sorted = (largest - smallest) + (largest + smallest) * a - k;
     const auto yields = (f_sorted > zero) | (largest > t);
-    if (!any(yields)) return {s, false};
+    if (!any(yields)) return {s, zero, false};
     // main plane: sigma_1 = major, sigma_3 = minor, method 4.4
     const R f = 2.0 * radius + 2.0 * center * a - k;
     const R step = f * lambda_scale;
@@ -125,9 +125,11 @@ struct Hexagon {
     const R center_new = select(yields, (major_new + minor_new) * 0.5, center);
     const R m_new = select(yields, (major_new + minor_new + zz_new) / 3.0, s.m);
     const R half_new = center_new - m_new;
-    Returned<R> out{{half_new + difference * ratio, half_new - difference * ratio, s.xy * ratio, m_new}, true};
+    Returned<R> out{{half_new + difference * ratio, half_new - difference * ratio, s.xy * ratio, m_new}, zero, true};
     const auto rest = yields & !main;
     if (any(rest)) other_regimes(s, rest, out.stress);
+    const auto dilates = (b > zero) & (largest <= t);
+    out.dilated = select(dilates, larger(s.m - out.stress.m, zero) / bulk, zero);
     return out;
   }
 

@@ -14,21 +14,20 @@ namespace vbgpd {
 
 namespace {
 
-Strength strength_of(const MaterialDef& m) {
+Strength strength_of(const MaterialDef& m, Real spacing) {
   Strength s;
-  s.cohesion = std::isnan(m.cohesion) ? 0 : m.cohesion;
+  s.cohesion = std::max(std::isnan(m.cohesion) ? 0 : m.cohesion, least_cohesion(m, spacing));
   s.friction_angle = radians(m.friction_angle);
   s.dilatancy_angle = radians(m.dilatancy_angle);
   if (!std::isnan(m.tension_cutoff)) s.tension_cutoff = m.tension_cutoff;
   return s;
 }
 
-/// A bond between two materials: moduli and strengths (c, tan phi, tan psi) by bond/bond_law.h, the law that can represent both.
-Strength joined_strength(const Strength& a, const Strength& b) {
-  Strength s;
-  s.cohesion = joined(a.cohesion, b.cohesion);
-  s.friction_angle = std::atan(joined(std::tan(a.friction_angle), std::tan(b.friction_angle)));
-  s.dilatancy_angle = std::atan(joined(std::tan(a.dilatancy_angle), std::tan(b.dilatancy_angle)));
+/// A bond between two materials is as strong as the weaker of them at the stress level of the section (core/bond/README.md).
+Strength joined_strength(const Strength& a, const Strength& b, Real stress) {
+  const auto strength = [&](const Strength& s) { return s.cohesion + stress * std::tan(s.friction_angle); };
+  Strength s = strength(a) <= strength(b) ? a : b;
+  s.dilatancy_angle = std::min({s.dilatancy_angle, a.dilatancy_angle, b.dilatancy_angle});
   s.tension_cutoff = std::min(a.tension_cutoff, b.tension_cutoff);
   return s;
 }
@@ -40,7 +39,7 @@ int generality(const AnyLaw& law) {
   return std::holds_alternative<Undrained>(law) ? 1 : 0;
 }
 
-void build_materials(const SceneDef& scene, Model& m) {
+void build_materials(const SceneDef& scene, Real h, Real stress, Model& m) {
   m.materials = static_cast<int>(scene.materials.size());
   const auto n = scene.materials.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -48,9 +47,9 @@ void build_materials(const SceneDef& scene, Model& m) {
       const MaterialDef &a = scene.materials[i], &b = scene.materials[j];
       const AnyLaw la = *law_by_name(a.law), lb = *law_by_name(b.law);
       const AnyLaw law = generality(la) >= generality(lb) ? la : lb;
-      Strength s = joined_strength(strength_of(a), strength_of(b));
-      if (!yields(la)) s = strength_of(b);  // against a rock that never yields the soil's own strength decides
-      if (!yields(lb)) s = strength_of(a);
+      Strength s = joined_strength(strength_of(a, h), strength_of(b, h), stress);
+      if (!yields(la)) s = strength_of(b, h);  // against a rock that never yields the soil's own strength decides
+      if (!yields(lb)) s = strength_of(a, h);
       const LawConstants ca = derive(Elastic{}, a.young_modulus, a.poisson_ratio, {});
       const LawConstants cb = derive(Elastic{}, b.young_modulus, b.poisson_ratio, {});
       LawConstants moduli;
@@ -60,6 +59,14 @@ void build_materials(const SceneDef& scene, Model& m) {
       m.pair_strength.push_back(s);
       m.pair_elastic.push_back(moduli);
     }
+}
+
+/// A vertical stress typical of the section: a third of the heaviest soil's weight over the height, or of the loads.
+Real mean_stress(const SceneDef& scene, const Section& section) {
+  Real stress = 0;
+  for (const MaterialDef& d : scene.materials) stress = std::max(stress, d.unit_weight * section.height / 3);
+  for (const LoadDef& l : scene.loads) stress = std::max({stress, l.pressure / 3, l.pressure_end / 3});
+  return stress;
 }
 
 void find_features(const SceneDef& scene, const Section& section, Model& m) {
@@ -126,6 +133,11 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
 
 }  // namespace
 
+Real least_cohesion(const MaterialDef& m, Real spacing) {
+  constexpr Real kShare = 0.03;  // of the weight of one layer of particles
+  return m.friction_angle > 0 ? kShare * m.unit_weight * spacing : 0;
+}
+
 int support_reach(const SceneDef& scene) { return static_cast<int>(std::ceil(2 * scene.smoothing_ratio - 1e-9)); }
 
 std::vector<LawConstants> pair_constants(const Model& m, Real factor, bool elastic) {
@@ -142,7 +154,8 @@ std::vector<LawConstants> pair_constants(const Model& m, Real factor, bool elast
 Model build_model(const SceneDef& scene, const Section& section, int width) {
   Model m;
   m.width = width;
-  build_materials(scene, m);
+  const Real spacing = std::sqrt(section.lattice.spacing.prod());
+  build_materials(scene, spacing, mean_stress(scene, section), m);
   find_features(scene, section, m);
   const Real h = scene.smoothing_ratio * std::sqrt(section.lattice.spacing.x() * section.lattice.spacing.y());
   build_packs(section, *kernel_by_name(scene.kernel), h, m);

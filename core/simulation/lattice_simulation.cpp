@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/wording.h"
 #include "simulation/build_model.h"
 
 namespace vbgpd {
@@ -13,7 +14,6 @@ struct LatticeSaved final : SavedState {
   State state;
   Real factor = 1, time = 0;
   std::int64_t steps = 0, since_restart = 0;
-  std::vector<LawConstants> constants;
 };
 
 /// Fraction of 2 / omega_max that is used: plastic flow and momentum need a margin (measured: diverges above 0.78).
@@ -31,8 +31,20 @@ LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions
   scratch_.allocate(model_);
   partial_.resize(model_.chunks.size());
   zero_.allocate(static_cast<std::size_t>(model_.storage), 0);
-  constants_ = pair_constants(model_, 1, false);
+  set_factor(1);
   elastic_constants_ = pair_constants(model_, 1, true);
+}
+
+void LatticeSimulation::set_factor(Real factor) {
+  factor_ = factor;
+  constants_ = pair_constants(model_, factor_, false);
+  if (!model_.features.volumetric_plastic) return;
+  if (!dilation_cap_.present()) dilation_cap_.allocate(static_cast<std::size_t>(model_.storage), 12);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.storage); ++i) {
+    if (model_.seed_of[i] < 0) continue;
+    const LawConstants& c = constants_[static_cast<std::size_t>(model_.material[i] * model_.materials + model_.material[i])];
+    dilation_cap_[i] = c.t / c.bulk_modulus;
+  }
 }
 
 StepData LatticeSimulation::data(State& s, Scratch& t) const {
@@ -126,6 +138,7 @@ Controls LatticeSimulation::evaluation_controls() const {
   Controls c;
   c.mobility_x = c.mobility_y = zero_.data();
   c.constants = constants_.data();
+  c.dilation_cap = dilation_cap_.data();
   c.cohesion_scale = 1 / factor_;
   return c;
 }
@@ -156,6 +169,7 @@ StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* 
   c.local_damping = damping_;
   c.mobility_x = dynamic_mobility_x_.data(), c.mobility_y = dynamic_mobility_y_.data();
   c.constants = constants_.data();
+  c.dilation_cap = dilation_cap_.data();
   c.cohesion_scale = 1 / factor_;
   c.ledger = true;
   // A particle that outruns the waves has left the method; the state of at most kKeep steps before is the last good one.
@@ -216,6 +230,7 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
   c.time_step = options.time_step_factor * kStepMargin * 2 / relaxing_frequency_;
   c.mobility_x = relaxing_mobility_x_.data(), c.mobility_y = relaxing_mobility_y_.data();
   c.constants = options.elastic ? elastic_constants_.data() : constants_.data();
+  c.dilation_cap = options.elastic ? nullptr : dilation_cap_.data();
   c.cohesion_scale = 1 / factor_;
   c.local_damping = options.local_damping;
   c.ledger = options.ledger;
@@ -247,15 +262,14 @@ std::shared_ptr<SavedState> LatticeSimulation::save() const {
   auto saved = std::make_shared<LatticeSaved>();
   saved->state = state_;
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->since_restart = since_restart_;
-  saved->constants = constants_;
   return saved;
 }
 
 void LatticeSimulation::restore(const SavedState& other) {
   const auto& saved = dynamic_cast<const LatticeSaved&>(other);
   state_ = saved.state;
-  factor_ = saved.factor, time_ = saved.time, steps_ = saved.steps, since_restart_ = saved.since_restart;
-  constants_ = saved.constants;
+  set_factor(saved.factor);
+  time_ = saved.time, steps_ = saved.steps, since_restart_ = saved.since_restart;
 }
 
 Real LatticeSimulation::elastic_energy() const {
@@ -270,12 +284,12 @@ void LatticeSimulation::set(std::string_view name, double value) {
     if (!(value >= v.min_value && (v.max_open ? value < v.max_value : value <= v.max_value))) {
       Issue issue;
       issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = value;
-      issue.text = std::string(name) + ": must be in [" + std::to_string(v.min_value) + ", " + std::to_string(v.max_value) +
-                   (v.max_open ? ")" : "]");
+      issue.text = std::string(name) + " = " + number_text(value) + ": must be in [" + number_text(v.min_value) + ", " +
+                   number_text(v.max_value) + (v.max_open ? ")" : "]");
       throw Error(issue);
     }
     if (name == "damping") damping_ = value;
-    if (name == "strength_reduction_factor") factor_ = value, constants_ = pair_constants(model_, factor_, false);
+    if (name == "strength_reduction_factor") set_factor(value);
     return;
   }
   throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");

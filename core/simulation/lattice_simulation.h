@@ -36,6 +36,7 @@ class LatticeSimulation final : public Simulation {
   const Model& model() const { return model_; }
   State& state() { return state_; }
   const std::vector<LawConstants>& constants() const { return constants_; }
+  const Array& dilation_cap() const { return dilation_cap_; }
   StepData step_data_for_tests() { return data(state_, scratch_); }
 
  private:
@@ -48,6 +49,7 @@ class LatticeSimulation final : public Simulation {
   Real highest_frequency(const Array& mass) const;
   void set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const;
   Real dynamic_time_step() const;
+  void set_factor(Real factor);
   Controls evaluation_controls() const;
   /// Brings scratch up to date with the state without moving anything; returns the unbalanced force ratio.
   Sums evaluate() const;
@@ -66,6 +68,7 @@ class LatticeSimulation final : public Simulation {
   mutable State probe_;              // copy of the state for evaluations
   mutable std::vector<Sums> partial_;
   mutable Workers workers_;
+  Array dilation_cap_;               // mean stress at the tension cut-off over K, at the present factor
   Array zero_;                       // all zero: mobility of an evaluation
   Array dynamic_mobility_x_, dynamic_mobility_y_, relaxing_mobility_x_, relaxing_mobility_y_;
   mutable Real dynamic_frequency_ = 0, relaxing_frequency_ = 0;

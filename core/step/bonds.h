@@ -68,7 +68,7 @@ inline double bond_pass(const StepData& d, const Controls& controls, const Chunk
       const Pack compliance = shown / twice_shear;
       const Pack dxx = (trial.xx - s.xx) * compliance, dyy = (trial.yy - s.yy) * compliance, dxy = (trial.xy - s.xy) * compliance;
       store(record, pxx + dxx), store(record + kWidth, pyy + dyy), store(record + 2 * kWidth, pxy + dxy);
-      const Pack dilated = (trial.m - s.m) / law.bulk;
+      const Pack dilated = r.dilated;
       if (d.volume_source != nullptr && any(dilated * half != Pack{})) {
         store(d.volume_source + i, load(d.volume_source + i) + half * dilated);
         store(d.volume_source + j, load(d.volume_source + j) + half * dilated);

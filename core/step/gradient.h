@@ -8,8 +8,10 @@
 namespace vbgpd {
 inline namespace VBGPD_ISA {
 
+/// Mean stress above the tension cut-off (or the apex) opens the particle: theta^p grows at once. Handing such volume to neighbours
+/// through the bonds, as dilatancy is, would pump energy into those under pressure (measured: cohesionless faces blow up).
 /// in  u [n] m, plastic_volume [n]   out  L [n], dilation = tr L - theta^p [n]; sums of VB5 set to zero
-inline void gradient_pass(const StepData& d, const Chunk& chunk) {
+inline void gradient_pass(const StepData& d, const Controls& c, const Chunk& chunk) {
   const Pack zero{};
   for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
     const Block& block = d.blocks[b];
@@ -32,7 +34,15 @@ inline void gradient_pass(const StepData& d, const Chunk& chunk) {
     store(d.lyx + i, ayx * mxx + ayy * mxy);
     store(d.lyy + i, lyy);
     Pack dilation = lxx + lyy;
-    if (d.plastic_volume != nullptr) dilation -= load(d.plastic_volume + i);
+    if (d.plastic_volume != nullptr) {
+      const Pack opened = load(d.plastic_volume + i);
+      dilation -= opened;
+      if (c.dilation_cap != nullptr) {  // tension cut-off: what exceeds the cap opens the particle for good
+        const Pack over = larger(dilation - load(c.dilation_cap + i), zero);
+        dilation -= over;
+        if (any(over > zero)) store(d.plastic_volume + i, opened + over);
+      }
+    }
     store(d.dilation + i, dilation);
     store(d.zxx + i, zero), store(d.zxy + i, zero), store(d.zyx + i, zero), store(d.zyy + i, zero);
     if (d.px != nullptr) store(d.px + i, zero), store(d.py + i, zero);

@@ -30,7 +30,7 @@ VBGPD_INLINE double particle_stress(const StepData& d, const Controls& controls,
     const Pack compliance = select(volume > Pack{}, Pack{} + 1.0, Pack{}) / twice_shear;
     const Pack dxx = (trial.xx - s.xx) * compliance, dyy = (trial.yy - s.yy) * compliance, dxy = (trial.xy - s.xy) * compliance;
     store(record, pxx + dxx), store(record + kWidth, pyy + dyy), store(record + 2 * kWidth, pxy + dxy);
-    const Pack dilated = (trial.m - s.m) / law.bulk;
+    const Pack dilated = r.dilated;
     if (d.volume_source != nullptr) store(d.volume_source + i, load(d.volume_source + i) + volume * dilated);
     if constexpr (kLedger)
       plastic_work = lane_sum(volume * (s.xx * (2.0 * dxx + dyy) + s.yy * (2.0 * dyy + dxx) + 2.0 * s.xy * dxy + s.m * dilated));

@@ -16,6 +16,7 @@ struct Controls {
   const double* mobility_x = nullptr;  ///< 1/m, 0 where held
   const double* mobility_y = nullptr;
   const LawConstants* constants = nullptr;  ///< per material pair, at the present strength reduction factor
+  const double* dilation_cap = nullptr;  ///< largest elastic volumetric strain of a particle; null = none
   double cohesion_scale = 1;  ///< 1/F, for cohesion that grows with depth
   bool ledger = false;        ///< book works and dissipation
 };

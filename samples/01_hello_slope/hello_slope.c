@@ -7,7 +7,8 @@ static const double corners[][2] = {{0, 0}, {32, 0}, {12, 10}, {0, 10}};
 static const struct {
   const char* name;
   double value; /* SI units */
-} soil[] = {{"unit_weight", 20e3}, {"young_modulus", 1e8}, {"poisson_ratio", 0.3}, {"cohesion", 10e3}, {"friction_angle", 20}};
+} soil[] = {
+    {"unit_weight", 20e3}, {"young_modulus", 1e8}, {"poisson_ratio", 0.3}, {"cohesion", 10e3}, {"friction_angle", 20}};
 
 static int report(const vbgpd_context* context, const char* what) {
   char text[1000] = "no reason given";

@@ -32,8 +32,8 @@ std::string read_text_file(const std::string& file) {
   if (!stream) throw BadInput(file, std::string("the file cannot be read: ") + std::strerror(errno));
   const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(file, unknown) : 0;
   if (!unknown && size > kLargestFile)
-    throw BadInput(file, format("the file has %.0f MB; a scene file has at most %.0f MB", size / 1048576.0,
-                                kLargestFile / 1048576.0));
+    throw BadInput(file, format("the file has %.0f MB; a scene file has at most %.0f MB",
+                                static_cast<double>(size >> 20), static_cast<double>(kLargestFile >> 20)));
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (stream.bad()) throw BadInput(file, std::string("the file cannot be read: ") + std::strerror(errno));
   return text;

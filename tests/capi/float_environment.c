@@ -42,11 +42,16 @@ static int32_t VBGPD_CALL look(void* user, const vbgpd_progress* p) {
   return ++s->calls > 2;
 }
 
-static uint64_t hash_of_a_run(int64_t steps) {
-  vbgpd_context* context = make_context();
-  vbgpd_model* model = make_model(context, 1.25);
+static uint64_t hash_of_a_run(int32_t threads, int64_t steps) {
+  vbgpd_context_desc desc;
+  vbgpd_context* context = NULL;
+  vbgpd_model* model;
   vbgpd_advance_result result;
   uint64_t hash = 0;
+  CHECK_OK(vbgpd_context_desc_init(&desc, sizeof desc));
+  desc.threads = threads;
+  CHECK_OK(vbgpd_context_create(&desc, &context));
+  model = make_model(context, 0.5);
   result.struct_size = sizeof result;
   CHECK_OK(vbgpd_model_step(model, steps, &result));
   CHECK_OK(vbgpd_model_state_hash(model, &hash));
@@ -81,12 +86,13 @@ static void callback_sees_the_hosts(unsigned control) {
 }
 
 int main(void) {
-  const uint64_t expected = hash_of_a_run(200);
+  const uint64_t expected = hash_of_a_run(1, 200);
   unsigned control;
-  uint64_t hash;
+  uint64_t hash, hash_of_workers;
   set_host_environment();
   control = control_word();
-  hash = hash_of_a_run(200);
+  hash = hash_of_a_run(1, 200);
+  hash_of_workers = hash_of_a_run(3, 200); /* threads inherit the environment of the one that starts them */
   failing_calls();
   CHECK(fegetround() == FE_UPWARD);
   CHECK(fetestexcept(FE_ALL_EXCEPT) == 0);
@@ -94,7 +100,8 @@ int main(void) {
   callback_sees_the_hosts(control);
   CHECK(fegetround() == FE_UPWARD && control_word() == control);
   CHECK(hash == expected);
-  CHECK(hash != hash_of_a_run(201));
+  CHECK(hash_of_workers == expected);
+  CHECK(hash != hash_of_a_run(1, 201));
   fesetenv(FE_DFL_ENV);
   return 0;
 }

@@ -71,6 +71,7 @@ void compare(const SceneDef& scene, const Kernels& kernels, const char* name) {
   Controls c;
   c.time_step = dt, c.momentum = 0.9;
   c.mobility_x = mobility_x.data(), c.mobility_y = mobility_y.data(), c.constants = fast.constants().data();
+  c.dilation_cap = fast.dilation_cap().data();
   const StepData d = fast.step_data_for_tests();
   Workers workers(1);
   std::vector<Sums> partial(m.chunks.size());

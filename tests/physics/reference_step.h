@@ -52,6 +52,9 @@ class ReferenceStep {
       for (std::size_t j = 0; j < n; ++j)
         if (bonded(i, j)) L[i] += (u[j] - u[i]) * phi(i, j).transpose();  // VB2
       theta[i] = L[i].trace() - plastic_volume[i];
+      const LawConstants& c = constants_[pair_of(i, i)];
+      const Real over = std::max(0.0, theta[i] - c.t / c.bulk_modulus);  // tension cut-off opens the particle
+      theta[i] -= over, plastic_volume[i] += over;
     }
     const bool bonds = scene_.bond != "none";
     for (std::size_t i = 0; i < n; ++i)
@@ -75,10 +78,11 @@ class ReferenceStep {
         const Real third = d.trace() / 3, G2 = 2 * c.shear_modulus;  // VB3, VB4
         const Stress<Real> trial{G2 * (d(0, 0) - third - ep[0]), G2 * (d(1, 1) - third - ep[1]), G2 * (d(0, 1) - ep[2]),
                                  c.bulk_modulus * (theta[i] + theta[j]) / 2};
-        const Stress<Real> s = algorithm_of(laws_[pair]) == ReturnAlgorithm::kCone ? Cone<Real>(c).returned(trial).stress
-                                                                                   : Hexagon<Real>(c).returned(trial).stress;
+        const Returned<Real> r_map = algorithm_of(laws_[pair]) == ReturnAlgorithm::kCone ? Cone<Real>(c).returned(trial)
+                                                                                       : Hexagon<Real>(c).returned(trial);
+        const Stress<Real>& s = r_map.stress;
         ep += Eigen::Vector3d(trial.xx - s.xx, trial.yy - s.yy, trial.xy - s.xy) / G2;
-        const Real dilated = (trial.m - s.m) / c.bulk_modulus;
+        const Real dilated = r_map.dilated;
         Mat2 deviator;
         deviator << s.xx, s.xy, s.xy, s.yy;
         if (!bonds) {

@@ -1,0 +1,81 @@
+! Contexts: threads and limits.
+module vbgpd_contexts
+  use vbgpd_c
+  use vbgpd_support
+  implicit none
+  private
+  public :: vbgpd_context
+
+  type :: vbgpd_context
+    type(c_ptr) :: handle = c_null_ptr ! for calls of module vbgpd_c
+  contains
+    procedure :: create
+    procedure :: destroy
+    procedure :: last_error
+    procedure, private :: copy
+    generic :: assignment(=) => copy
+    final :: finalize
+  end type vbgpd_context
+
+contains
+
+  ! threads: workers per model, 0 = all cores, default 1; max_particles: 0 = no limit.
+  subroutine create(self, threads, max_particles, stat, errmsg)
+    class(vbgpd_context), intent(inout) :: self
+    integer, intent(in), optional :: threads
+    integer(c_int64_t), intent(in), optional :: max_particles
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(vbgpd_context_desc) :: desc
+    type(c_ptr) :: fresh
+    integer(c_int32_t) :: status, ignored
+    fresh = c_null_ptr
+    status = vbgpd_context_desc_init(desc, desc%struct_size)
+    desc%abi_version = VBGPD_HEADER_ABI_VERSION
+    if (present(threads)) desc%threads = int(threads, c_int32_t)
+    if (present(max_particles)) desc%max_particles = max_particles
+    if (status >= 0) status = vbgpd_context_create(desc, fresh)
+    if (status < 0) then
+      call refuse(status, "The context could not be created: " // vbgpd_status_text(status) // &
+                  ". threads and max_particles must be 0 or more, and the library of ABI version " // &
+                  number_text(int(VBGPD_HEADER_ABI_VERSION, c_int64_t)) // "; it has " // &
+                  number_text(int(vbgpd_abi_version(), c_int64_t)) // ".", stat, errmsg)
+      return
+    end if
+    ignored = vbgpd_context_destroy(self%handle)
+    self%handle = fresh
+    if (present(stat)) stat = status
+  end subroutine create
+
+  subroutine destroy(self, stat, errmsg)
+    class(vbgpd_context), intent(inout) :: self
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    integer(c_int32_t) :: status
+    status = vbgpd_context_destroy(self%handle)
+    call conclude(status, vbgpd_context_error, self%handle, stat, errmsg)
+    if (status >= 0) self%handle = c_null_ptr
+  end subroutine destroy
+
+  ! The last failure on this object; stat VBGPD_END_OF_DATA when there was none.
+  subroutine last_error(self, info, text, stat)
+    class(vbgpd_context), intent(in) :: self
+    type(vbgpd_error_info), intent(inout) :: info
+    character(:), allocatable, intent(out) :: text
+    integer(c_int32_t), intent(out) :: stat
+    call read_error(vbgpd_context_error, self%handle, info, text, stat)
+  end subroutine last_error
+
+  subroutine copy(self, other)
+    class(vbgpd_context), intent(inout) :: self
+    class(vbgpd_context), intent(in) :: other
+    if (same_type_as(self, other)) call copied_handle("context")
+  end subroutine copy
+
+  impure elemental subroutine finalize(self)
+    type(vbgpd_context), intent(inout) :: self
+    integer(c_int32_t) :: ignored
+    ignored = vbgpd_context_destroy(self%handle)
+    self%handle = c_null_ptr
+  end subroutine finalize
+end module vbgpd_contexts

@@ -1,0 +1,168 @@
+! What the four objects share: how a call ends, texts, and arrays seen through byte strides.
+module vbgpd_support
+  use vbgpd_c
+  implicit none
+  private
+  public :: conclude, refuse, read_error, error_reader, vbgpd_text, vbgpd_status_text
+  public :: point_view, accept_points, byte_distance, number_text, copied_handle
+
+  ! The shape of vbgpd_context_error and its three sisters.
+  abstract interface
+    function error_reader(object, info, text, cap, needed) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: object
+      type(vbgpd_error_info), intent(inout), optional :: info
+      character(kind=c_char), intent(inout), optional :: text(*)
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: outcome
+    end function error_reader
+  end interface
+
+  interface
+    pure function strlen(text) result(length) bind(C)
+      import
+      type(c_ptr), value, intent(in) :: text
+      integer(c_size_t) :: length
+    end function strlen
+  end interface
+
+  ! n points as the C face takes them; packed holds a copy when y does not lie 8 bytes behind x.
+  type :: point_view
+    type(c_ptr) :: address = c_null_ptr
+    integer(c_int64_t) :: stride = 16, n = 0
+    real(c_double), allocatable :: packed(:, :)
+  end type point_view
+
+contains
+
+  ! A NUL-terminated text of the library, e.g. the name in a vbgpd_field_info.
+  function vbgpd_text(address) result(text)
+    type(c_ptr), intent(in) :: address
+    character(:), allocatable :: text
+    character(kind=c_char), pointer :: letters(:)
+    integer :: i
+    if (.not. c_associated(address)) then
+      text = ""
+      return
+    end if
+    call c_f_pointer(address, letters, [strlen(address)])
+    allocate (character(size(letters)) :: text)
+    do i = 1, size(letters)
+      text(i:i) = letters(i)
+    end do
+  end function vbgpd_text
+
+  function vbgpd_status_text(status) result(text)
+    integer(c_int32_t), intent(in) :: status
+    character(:), allocatable :: text
+    text = vbgpd_text(vbgpd_status_name(status))
+  end function vbgpd_status_text
+
+  function number_text(number) result(text)
+    integer(c_int64_t), intent(in) :: number
+    character(:), allocatable :: text
+    character(20) :: digits
+    write (digits, "(i0)") number
+    text = trim(digits)
+  end function number_text
+
+  ! The last failure on an object; outcome VBGPD_END_OF_DATA and an empty text when there was none.
+  subroutine read_error(reader, handle, info, text, outcome)
+    procedure(error_reader) :: reader
+    type(c_ptr), intent(in) :: handle
+    type(vbgpd_error_info), intent(inout) :: info
+    character(:), allocatable, intent(out) :: text
+    integer(c_int32_t), intent(out) :: outcome
+    character(:), allocatable :: buffer
+    integer(c_int64_t) :: needed
+    needed = 0
+    text = ""
+    outcome = reader(handle, cap=0_c_int64_t, needed=needed)
+    if (outcome /= VBGPD_OK) return
+    allocate (character(needed + 1) :: buffer)
+    outcome = reader(handle, info, buffer, needed + 1)
+    if (outcome == VBGPD_OK) text = buffer(:needed)
+  end subroutine read_error
+
+  ! Ends every call of the face: the status goes to stat, the object's own words to errmsg or, without stat, to error stop.
+  subroutine conclude(status, reader, handle, stat, errmsg)
+    integer(c_int32_t), intent(in) :: status
+    procedure(error_reader) :: reader
+    type(c_ptr), intent(in) :: handle
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(vbgpd_error_info) :: info
+    character(:), allocatable :: text
+    integer(c_int32_t) :: outcome
+    if (status >= 0) then
+      if (present(stat)) stat = status
+      return
+    end if
+    call read_error(reader, handle, info, text, outcome)
+    if (outcome /= VBGPD_OK .or. info%status /= status) text = unrecorded(status)
+    call refuse(status, text, stat, errmsg)
+  end subroutine conclude
+
+  subroutine refuse(status, text, stat, errmsg)
+    integer(c_int32_t), intent(in) :: status
+    character(*), intent(in) :: text
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    if (present(errmsg)) errmsg = text
+    if (.not. present(stat)) error stop text
+    stat = status
+  end subroutine refuse
+
+  ! Statuses that leave no record on an object.
+  function unrecorded(status) result(text)
+    integer(c_int32_t), intent(in) :: status
+    character(:), allocatable :: text
+    select case (status)
+    case (VBGPD_E_HANDLE)
+      text = "This object was not created yet or is already destroyed."
+    case (VBGPD_E_BUSY)
+      text = "Another thread is inside this object."
+    case (VBGPD_E_REENTRANT)
+      text = "A progress function must not call back into the object it reports on."
+    case default
+      text = "The call failed with " // vbgpd_status_text(status) // "."
+    end select
+  end function unrecorded
+
+  function byte_distance(from, to) result(bytes)
+    type(c_ptr), intent(in) :: from, to
+    integer(c_int64_t) :: bytes
+    bytes = transfer(to, 0_c_intptr_t) - transfer(from, 0_c_intptr_t)
+  end function byte_distance
+
+  ! xy(2, n), any section of an array, seen in place where possible; the view lives as long as xy and itself.
+  function accept_points(xy, view, stat, errmsg) result(accepted)
+    real(c_double), intent(in), target :: xy(:, :)
+    type(point_view), intent(inout), target :: view
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    logical :: accepted
+    accepted = size(xy, 1) == 2
+    if (.not. accepted) then
+      call refuse(VBGPD_E_ARGUMENT, "The array of points has " // number_text(size(xy, 1, c_int64_t)) // &
+                  " rows; it needs two, x and y.", stat, errmsg)
+      return
+    end if
+    view%n = size(xy, 2, c_int64_t)
+    if (view%n == 0) return
+    if (byte_distance(c_loc(xy(1, 1)), c_loc(xy(2, 1))) == 8) then
+      view%address = c_loc(xy(1, 1))
+      if (view%n > 1) view%stride = byte_distance(c_loc(xy(1, 1)), c_loc(xy(1, 2)))
+    else
+      view%packed = xy
+      view%address = c_loc(view%packed)
+    end if
+  end function accept_points
+
+  ! A handle has one owner, whose end destroys the object: copies are a mistake of the program.
+  subroutine copied_handle(what)
+    character(*), intent(in) :: what
+    error stop "A " // what // " cannot be copied by assignment; pass it as an argument."
+  end subroutine copied_handle
+end module vbgpd_support

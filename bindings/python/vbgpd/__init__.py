@@ -1,0 +1,332 @@
+"""vbgpd for Python: factor of safety, slip surface and particle fields of soil slopes.
+
+    import vbgpd
+    with vbgpd.Context() as context, vbgpd.Profile(context) as slope:
+        slope.set_exterior([(0, 0), (32, 0), (12, 10), (0, 10)])
+        clay = slope.add_material("clay", unit_weight=20e3, cohesion=10e3, friction_angle=20)
+        slope.add_layer(clay)
+        slope.set("spacing", 0.5)
+        with vbgpd.Model(context, slope) as model, vbgpd.Job.strength_reduction(model) as job:
+            job.run(lambda progress: print(f"{progress.fraction:.0%}"))
+            print(job.get("factor_of_safety"), job.slip_surface())
+
+Everything is SI (m, N, Pa, kg, s), angles in degrees, x right, y up, stress positive in tension. A call that fails raises
+Error with the engine's sentence and where the fault is. Objects may be closed in any order, by `with`, by close() or by
+the garbage collector. The package needs numpy and, without being built, the library: see Library.load.
+"""
+import ctypes
+import time
+
+import numpy
+
+from . import _raw
+from ._engine import (Boundary, Error, FieldInfo, Issue, Kind, Library, Location, Property, Status, Verdict, address, field,
+                      fields, points_from, points_in, properties, raise_failure, status_name, text_from, version,
+                      version_number)
+
+__all__ = ["Boundary", "Context", "Error", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "Model", "Profile",
+           "Property", "Status", "Verdict", "field", "fields", "properties", "status_name", "version", "version_number"]
+
+
+class _Object:
+    """A handle that is destroyed once: at the end of `with`, by close(), or when nobody holds the object any more."""
+
+    _name = None  # of its functions in the C face: vbgpd_<name>_destroy ...
+    _handle = None
+
+    def __init__(self, library, create, *arguments, owner=None):
+        self._library, self._c = library, library.c
+        handle = getattr(_raw, f"vbgpd_{self._name}")()
+        status = getattr(self._c, create)(*arguments, ctypes.byref(handle))
+        if owner is None:
+            raise_failure(status)
+        else:
+            owner._check(status)
+        self._handle = handle
+
+    @property
+    def handle(self):
+        """The handle for calls of the functions of `Library.c`; NULL once closed."""
+        return self._handle
+
+    def _check(self, status):
+        return raise_failure(status, getattr(self._c, f"vbgpd_{self._name}_error"), self._handle)
+
+    def _call(self, function, *arguments):
+        return self._check(getattr(self._c, f"vbgpd_{self._name}_{function}")(self._handle, *arguments))
+
+    def _get(self, *arguments):
+        """The last argument is a name; get_f64 of the object."""
+        *before, name = arguments
+        value, key = ctypes.c_double(), name.encode()
+        self._call("get_f64", *before, key, len(key), ctypes.byref(value))
+        return value.value
+
+    def _get_text(self, *arguments):
+        *before, name = arguments
+        key = name.encode()
+        return text_from(lambda *buffer: self._call("get_text", *before, key, len(key), *buffer))
+
+    def close(self):
+        """Destroys the object; closing twice is allowed."""
+        if self._handle:
+            self._call("destroy")
+            self._handle = type(self._handle)()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *exception):
+        self.close()
+
+    def __del__(self):
+        if self._handle:
+            getattr(self._c, f"vbgpd_{self._name}_destroy")(self._handle)
+
+
+class Context(_Object):
+    """Threads and limits of the models made in it.
+
+    threads: workers per model, 0 = all cores; results do not depend on it. max_particles: 0 = no limit.
+    library: path of libvbgpd.so.1; by default that beside this package, or the system's.
+    """
+
+    _name = "context"
+
+    def __init__(self, threads=1, max_particles=0, library=None):
+        loaded = Library.load(library)
+        desc = _raw.vbgpd_context_desc()
+        raise_failure(loaded.c.vbgpd_context_desc_init(ctypes.byref(desc), ctypes.sizeof(desc)))
+        desc.threads, desc.max_particles = threads, max_particles
+        super().__init__(loaded, "vbgpd_context_create", ctypes.byref(desc))
+
+
+class Profile(_Object):
+    """A slope profile: polygons, materials, loads and supports. Points are rows of x and y: lists or numpy arrays."""
+
+    _name = "profile"
+
+    def __init__(self, context):
+        super().__init__(context._library, "vbgpd_profile_create", context.handle, owner=context)
+
+    @classmethod
+    def from_flatbuffer(cls, context, data):
+        """A profile from the bytes of a scene as a flatbuffer (file identifier VBGP)."""
+        self = cls.__new__(cls)
+        _Object.__init__(self, context._library, "vbgpd_profile_create_from_flatbuffer", context.handle, bytes(data),
+                         len(data), owner=context)
+        return self
+
+    def set_exterior(self, xy):
+        """The outline of the section, any winding."""
+        array, pointer, stride, n = points_in(xy)
+        self._call("set_exterior", pointer, stride, n)
+
+    def add_material(self, name, law=None, **numbers):
+        """Adds a material and gives its id; e.g. add_material("clay", unit_weight=20e3, cohesion=10e3).
+
+        A number or law that is refused raises Error; the material stays, as the C face leaves it.
+        """
+        material, key = ctypes.c_int64(), name.encode()
+        self._call("add_material", key, len(key), ctypes.byref(material))
+        if law is not None:
+            self.set("law", law, Kind.MATERIAL, material.value)
+        for number, value in numbers.items():
+            self.set(number, value, Kind.MATERIAL, material.value)
+        return material.value
+
+    def add_layer(self, material, xy=None):
+        """Paints a polygon, or without one the whole exterior, with the material of that id; gives the layer's id."""
+        layer = ctypes.c_int64()
+        array, *points = points_in(xy) if xy is not None else (None, None, 16, 0)
+        self._call("add_layer", *points, material, ctypes.byref(layer))
+        return layer.value
+
+    def add_boundary(self, kind, side=None, xy=None):
+        """Holds a side ("base", "left", "right") or a polyline along the exterior; kind is a Boundary. Gives its id."""
+        boundary = ctypes.c_int64()
+        key = side.encode() if side is not None else None
+        array, *points = points_in(xy) if xy is not None else (None, None, 16, 0)
+        self._call("add_boundary", key, len(key or b""), *points, kind, ctypes.byref(boundary))
+        return boundary.value
+
+    def add_load(self, x0, x1, pressure, pressure_end=None):
+        """Pressure (Pa, down positive) on the ground from x0 to x1, linear to pressure_end if given; gives its id."""
+        load = ctypes.c_int64()
+        self._call("add_load", x0, x1, pressure, pressure if pressure_end is None else pressure_end, ctypes.byref(load))
+        return load.value
+
+    def set(self, name, value, kind=Kind.PROFILE, id=0):
+        """A named number or text of the profile, or of the part `id` of that Kind; None takes a number back to absent."""
+        key = name.encode()
+        if isinstance(value, str):
+            text = value.encode()
+            self._call("set_text", kind, id, key, len(key), text, len(text))
+        else:
+            self._call("set_f64", kind, id, key, len(key), float("nan") if value is None else value)
+
+    def get(self, name, kind=Kind.PROFILE, id=0):
+        """A named number; NaN when absent. `properties(kind)` lists them."""
+        return self._get(kind, id, name)
+
+    def get_text(self, name, kind=Kind.PROFILE, id=0):
+        """A named text, e.g. get_text("law", Kind.MATERIAL, clay)."""
+        return self._get_text(kind, id, name)
+
+    def count(self, kind):
+        """How many materials, layers, loads or boundaries there are."""
+        n = ctypes.c_int64()
+        self._call("count", kind, ctypes.byref(n))
+        return n.value
+
+    def polygon(self, kind=Kind.PROFILE, id=0):
+        """The exterior, the polygon of a layer or the polyline of a boundary: an array of shape (n, 2)."""
+        return points_from(lambda *target: self._call("polygon", kind, id, *target))
+
+    def validate(self):
+        """Every fault, not the first: a list of Issue; those with is_error forbid a model."""
+        self._call("validate", None, None)
+        issues, info = [], _raw.vbgpd_error_info()
+        while True:
+            i = len(issues)
+            if self._call("issue", i, ctypes.byref(info), None, 0, None) == Status.END_OF_DATA:
+                return issues
+            issues.append(Issue(info, text_from(lambda *buffer: self._call("issue", i, None, *buffer))))
+
+
+class Model(_Object):
+    """Particles and virtual bonds of a profile. A faulty profile raises Error with every error in its text."""
+
+    _name = "model"
+
+    def __init__(self, context, profile):
+        super().__init__(context._library, "vbgpd_model_create", context.handle, profile.handle, owner=context)
+
+    def set(self, name, value):
+        """"damping" or "strength_reduction_factor" of step()."""
+        key = name.encode()
+        self._call("set_f64", key, len(key), value)
+
+    def get(self, name):
+        """A named number: time, particles, bonds, kinetic_energy ...; vbgpd.h lists them at vbgpd_model_get_f64."""
+        return self._get(name)
+
+    def step(self, steps):
+        """Explicit dynamic steps; gives (Status, record) with the members of vbgpd_advance_result."""
+        record = _raw.vbgpd_advance_result()
+        return self._call("step", steps, ctypes.byref(record)), record
+
+    def cancel(self):
+        """Stops a step() of another thread, or the next one, between two steps."""
+        self._call("cancel")
+
+    def item_count(self, location):
+        """How many particles or bonds there are."""
+        n = ctypes.c_int64()
+        self._call("item_count", location, ctypes.byref(n))
+        return n.value
+
+    def field(self, name, out=None):
+        """A field as an array of shape (items,) or (items, components); `fields()` lists them.
+
+        out: an array of that shape, float64 or, for whole numbers, int64; any view of a larger one is written in place.
+        """
+        info = field(name, self._library)
+        items = self.item_count(info.location)
+        shape = (items,) if info.components == 1 else (items, info.components)
+        if out is None:
+            out = numpy.empty(shape, info.dtype)
+        kinds = (numpy.float64, numpy.int64)
+        if out.shape != shape or out.dtype not in kinds or not out.flags.writeable or 0 in out.strides:
+            raise ValueError(f'the field "{name}" needs a writeable array of shape {shape} and float64 or int64, '
+                             f"not {out.shape} and {out.dtype}")
+        function, number = ("read_i64", ctypes.c_int64) if out.dtype == numpy.int64 else ("read_f64", ctypes.c_double)
+        component = out.strides[1] if out.ndim == 2 else 0
+        self._call(function, info.index, address(out, number), out.strides[0], component, items, None)
+        return out
+
+    @property
+    def state_hash(self):
+        """64-bit hash of everything that changes: same run = same hash, at any thread count."""
+        value = ctypes.c_uint64()
+        self._call("state_hash", ctypes.byref(value))
+        return value.value
+
+
+class Job(_Object):
+    """A long analysis: Job.equilibrium(model) or Job.strength_reduction(model, ...). Works on that model."""
+
+    _name = "job"
+
+    def __init__(self, model, create):
+        super().__init__(model._library, create, model.handle, owner=model)
+
+    @classmethod
+    def equilibrium(cls, model):
+        """Settles the slope under its weight and loads."""
+        return cls(model, "vbgpd_job_create_equilibrium")
+
+    @classmethod
+    def strength_reduction(cls, model, **options):
+        """Finds the factor of safety. Options: srf_min, srf_max, srf_tolerance, levels, careful, step_limit."""
+        job = cls(model, "vbgpd_job_create_strength_reduction")
+        for name, value in options.items():
+            job.set(name, value)
+        return job
+
+    def set(self, name, value):
+        """An option by name, before the first run()."""
+        key = name.encode()
+        self._call("set_f64", key, len(key), value)
+
+    def run(self, callback=None, seconds=None, slice_seconds=0.1):
+        """Runs to the end, or for `seconds` of wall-clock time, in slices; gives the Status.
+
+        OK, NOT_CONVERGED and UNSTABLE are ends; LIMIT_REACHED (the seconds are over) and CANCELLED can be continued by
+        another run(). Between slices Ctrl-C is heard (KeyboardInterrupt, the job can be continued), and callback is
+        given the progress, a record with the members of vbgpd_progress; a true answer stops the run as CANCELLED.
+        """
+        progress = _raw.vbgpd_progress()
+        end = float("inf") if seconds is None else time.monotonic() + seconds
+        while True:
+            slice_end = min(slice_seconds, max(end - time.monotonic(), 1e-3))
+            status = self._call("run", slice_end, _raw.vbgpd_progress_fn(), None, ctypes.byref(progress))
+            stop = callback is not None and callback(progress)
+            if status != Status.LIMIT_REACHED:
+                return status
+            if stop:
+                return Status.CANCELLED
+            if time.monotonic() >= end:
+                return status
+
+    def cancel(self):
+        """Stops the run() of another thread, or the next one; from any thread and from a signal handler."""
+        self._call("cancel")
+
+    def get(self, name):
+        """A result by name: factor_of_safety, error_estimate ...; vbgpd.h lists them at vbgpd_job_get_f64."""
+        return self._get(name)
+
+    def get_text(self, name):
+        """"status", "reason", "scheme", "reduced" or "flow_rule"."""
+        return self._get_text(name)
+
+    def _records(self, function, kind):
+        listed = []
+        while True:
+            record = kind()
+            if self._call(function, len(listed), ctypes.byref(record)) == Status.END_OF_DATA:
+                return listed
+            listed.append(record)
+
+    def trials(self):
+        """Every strength reduction factor tried, with its evidence: records with the members of vbgpd_trial."""
+        return self._records("trial", _raw.vbgpd_trial)
+
+    def levels(self):
+        """The grids, coarsest first: records with the members of vbgpd_level."""
+        return self._records("level", _raw.vbgpd_level)
+
+    def slip_surface(self):
+        """The critical slip surface from left to right: an array of shape (n, 2), empty when there is none."""
+        return points_from(lambda *target: self._call("slip_surface", *target))
