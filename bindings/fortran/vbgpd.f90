@@ -1,8 +1,8 @@
 ! The engine for Fortran 2018: four types whose objects destroy themselves, over the C face of module vbgpd_c.
 !
-! Every call has stat and errmsg, both optional. With stat a failure is a negative number there and a sentence in errmsg;
-! without stat it ends the program with that sentence. Outcomes that are no failure (VBGPD_LIMIT_REACHED ...) are
-! positive numbers in stat. Trailing blanks of texts do not count. Points are xy(2, n), ids and indices count from 0.
+! Every call has stat and errmsg, both optional. With stat a failure is a negative number there and a sentence in
+! errmsg; without stat it ends the program with that sentence. Outcomes that are no failure (VBGPD_LIMIT_REACHED ...)
+! are positive numbers in stat. Trailing blanks of texts do not count. Points are xy(2, n), ids and indices count from 0.
 ! Objects cannot be copied by assignment; variables of a main program live to its end unless destroyed.
 module vbgpd
   use vbgpd_c

@@ -85,7 +85,7 @@ contains
     if (outcome == VBGPD_OK) text = buffer(:needed)
   end subroutine read_error
 
-  ! Ends every call of the face: the status goes to stat, the object's own words to errmsg or, without stat, to error stop.
+  ! Ends every call of the face: the status goes to stat, the object's words to errmsg or, without stat, to error stop.
   subroutine conclude(status, reader, handle, stat, errmsg)
     integer(c_int32_t), intent(in) :: status
     procedure(error_reader) :: reader

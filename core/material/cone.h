@@ -11,30 +11,36 @@ inline namespace VBGPD_ISA {
 template <class R>
 struct Cone {
   static constexpr int kAlgorithm = 0;
-  R shear, bulk, a, k, b, t;
+  double shear, bulk, a, b, t;
+  R k;  ///< differs between lanes where cohesion grows with depth
   VBGPD_INLINE explicit Cone(const LawConstants& c)
-      : shear(R{} + c.shear_modulus), bulk(R{} + c.bulk_modulus), a(R{} + c.a), k(R{} + c.k), b(R{} + c.b), t(R{} + c.t) {}
+      : shear(c.shear_modulus), bulk(c.bulk_modulus), a(c.a), b(c.b), t(c.t), k(R{} + c.k) {}
 
   /// Closed-form return (method 4.3): mean stress capped at t, then
   ///   dlambda = f / (G + 9 K alpha_phi alpha_psi),  sqrt(J2) -= G dlambda,  m -= 3 K alpha_psi dlambda,
   /// and the apex where sqrt(J2) would turn negative. Exact: a second return changes nothing.
   VBGPD_INLINE Returned<R> returned(const Stress<R>& trial) const {
-    const R m_cap = smaller(trial.m, t);
+    const R m_cap = smaller(trial.m, R{} + t);
     const R limit = k - a * m_cap;  // strength at the capped mean stress
     const R j2 = trial.j2();
     const auto yields = (j2 > limit * limit) | (trial.m > t);
     const R zero = R{};
     if (!any(yields)) return {trial, zero, false};
     const R root_j2 = root(j2);
+    if (b == 0) {  // isochoric flow: the deviator shrinks onto the cone at the capped mean stress
+      const R one = R{} + 1.0;
+      const R ratio = select(root_j2 > limit, larger(limit, zero) / select(root_j2 > zero, root_j2, one), one);
+      return {{trial.xx * ratio, trial.yy * ratio, trial.xy * ratio, m_cap}, zero, true};
+    }
     const R excess = larger(root_j2 - limit, zero);
     const auto capped = trial.m > t;
-    const R dilation = select(capped, zero, b);  // at the cap the mean stress is pinned: no dilatancy
+    const R dilation = select(capped, zero, zero + b);  // at the cap the mean stress is pinned: no dilatancy
     const R lambda = excess / (shear + bulk * a * dilation);
     R root_new = root_j2 - shear * lambda;
     R m_new = m_cap - bulk * dilation * lambda;
     const auto apex = root_new < zero;
     root_new = select(apex, zero, root_new);
-    m_new = select(apex, k / larger(a, R{} + 1e-300), m_new);
+    m_new = select(apex, k / larger(a, 1e-300), m_new);
     const auto sheared = root_j2 > zero;
     const R ratio = select(sheared & yields, root_new / select(sheared, root_j2, R{} + 1.0), R{} + 1.0);
     const R dilated = dilation * select(apex, root_j2 / shear, lambda);

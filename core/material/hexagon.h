@@ -97,10 +97,11 @@ template <class R>
 struct Hexagon {
   static constexpr int kAlgorithm = 1;
   LawConstants c;
-  R shear, bulk, a, k, b, t, lambda_scale;
+  double shear, bulk, a, b, t, lambda_scale;
+  R k;
   VBGPD_INLINE explicit Hexagon(const LawConstants& constants)
-      : c(constants), shear(R{} + c.shear_modulus), bulk(R{} + c.bulk_modulus), a(R{} + c.a), k(R{} + c.k), b(R{} + c.b),
-        t(R{} + c.t), lambda_scale(R{} + 1 / (4 * c.shear_modulus * (1 + c.a * c.b / 3) + 4 * c.bulk_modulus * c.a * c.b)) {}
+      : c(constants), shear(c.shear_modulus), bulk(c.bulk_modulus), a(c.a), b(c.b), t(c.t),
+        lambda_scale(1 / (4 * c.shear_modulus * (1 + c.a * c.b / 3) + 4 * c.bulk_modulus * c.a * c.b)), k(R{} + c.k) {}
 
   /// Closed-form return. The main plane with sigma_zz in the middle is done in lockstep; the rare other regimes lane by lane.
   VBGPD_INLINE Returned<R> returned(const Stress<R>& s) const {
@@ -128,8 +129,7 @@ struct Hexagon {
     Returned<R> out{{half_new + difference * ratio, half_new - difference * ratio, s.xy * ratio, m_new}, zero, true};
     const auto rest = yields & !main;
     if (any(rest)) other_regimes(s, rest, out.stress);
-    const auto dilates = (b > zero) & (largest <= t);
-    out.dilated = select(dilates, larger(s.m - out.stress.m, zero) / bulk, zero);
+    if (b > 0) out.dilated = select(largest <= t, larger(s.m - out.stress.m, zero) / bulk, zero);
     return out;
   }
 

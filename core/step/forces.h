@@ -10,7 +10,8 @@ inline namespace VBGPD_ISA {
 
 /// Z_i = V_i S_i M_i^-1 / V_i, so that V_i S_i Phi_ij - V_j S_j Phi_ji = omega_ij V_i V_j (Z_i + Z_j) xi_ij and Phi is never stored.
 /// Also turns this step's plastic volume into plastic volumetric strain of the particle.
-inline void flux_pass(const StepData& d, const Chunk& chunk) {
+inline void flux_pass(const StepData& shared, const Chunk& chunk) {
+  const StepData d = shared;
   for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
     const int i = d.blocks[b].first;
     const Pack volume = load(d.volume + i);
@@ -45,7 +46,9 @@ VBGPD_INLINE void internal_force(const StepData& d, const Block& block, Pack& fx
 
 /// f = internal + external + damping; v <- b v + dt f/m; u <- u + dt v. Sums up the monitors of the chunk.
 template <bool kLedger>
-inline Sums move_pass(const StepData& d, const Controls& c, const Chunk& chunk) {
+inline Sums move_pass(const StepData& shared, const Controls& shared_controls, const Chunk& chunk) {
+  const StepData d = shared;  // copies: their members stay in registers across stores
+  const Controls c = shared_controls;
   Pack unbalanced{}, power{}, external_power{}, displacement2{}, velocity2{}, external{}, internal{}, damping{};
   for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
     const Block& block = d.blocks[b];

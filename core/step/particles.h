@@ -16,7 +16,8 @@ VBGPD_INLINE double particle_stress(const StepData& d, const Controls& controls,
   Law<Pack> law(constants);
   if (d.extra_cohesion != nullptr) law.k += load(d.extra_cohesion + i) * (controls.cohesion_scale * constants.k_per_cohesion);
   const Pack exx = load(d.lxx + i), eyy = load(d.lyy + i), exy = (load(d.lxy + i) + load(d.lyx + i)) * 0.5;
-  const Pack third = (exx + eyy) * (1.0 / 3.0), twice_shear = law.shear * 2.0;
+  const Pack third = (exx + eyy) * (1.0 / 3.0);
+  const double twice_shear = 2.0 * law.shear;
   double* const record = d.plastic_strain == nullptr ? nullptr : d.plastic_strain + 3l * i;
   Pack pxx{}, pyy{}, pxy{};
   if (record != nullptr) pxx = load(record), pyy = load(record + kWidth), pxy = load(record + 2 * kWidth);
@@ -27,7 +28,7 @@ VBGPD_INLINE double particle_stress(const StepData& d, const Controls& controls,
   const Pack volume = visible(load(d.volume + i), lanes);
   double plastic_work = 0;
   if (r.any && record != nullptr) {
-    const Pack compliance = select(volume > Pack{}, Pack{} + 1.0, Pack{}) / twice_shear;
+    const Pack compliance = select(volume > Pack{}, Pack{} + 1.0 / twice_shear, Pack{});
     const Pack dxx = (trial.xx - s.xx) * compliance, dyy = (trial.yy - s.yy) * compliance, dxy = (trial.xy - s.xy) * compliance;
     store(record, pxx + dxx), store(record + kWidth, pyy + dyy), store(record + 2 * kWidth, pxy + dxy);
     const Pack dilated = r.dilated;

@@ -7,7 +7,7 @@ program hello_slope
   real(c_double), parameter :: corners(2, 4) = reshape([real(c_double) :: 0, 0, 32, 0, 12, 10, 0, 10], [2, 4])
   character(*), parameter :: names(5) = [character(14) :: "unit_weight", "young_modulus", "poisson_ratio", "cohesion", &
                                          "friction_angle"]
-  real(c_double), parameter :: values(5) = [20e3_c_double, 1e8_c_double, 0.3_c_double, 10e3_c_double, 20.0_c_double] ! SI
+  real(c_double), parameter :: values(5) = [20d3, 1d8, 0.3d0, 10d3, 20d0] ! SI units
   type(vbgpd_context) :: context
   type(vbgpd_profile) :: slope
   type(vbgpd_model) :: model
@@ -25,7 +25,7 @@ program hello_slope
     call slope%set(names(i), values(i), VBGPD_OBJECT_MATERIAL, clay)
   end do
   call slope%add_layer(clay) ! fills the section; base fixed, rollers at the sides
-  call slope%set("spacing", 0.5_c_double)
+  call slope%set("spacing", 0.5d0)
 
   call model%create(context, slope)
   call job%create_strength_reduction(model)

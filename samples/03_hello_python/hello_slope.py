@@ -10,7 +10,8 @@ library = sys.argv[1] if len(sys.argv) > 1 else None  # otherwise the system's
 with vbgpd.Context(library=library) as context, vbgpd.Profile(context) as slope:
     # Griffiths and Lane (1999), example 1: 10 m high, 2 to 1, c = 10 kPa, phi = 20 degrees; their answer is 1.4.
     slope.set_exterior([(0, 0), (32, 0), (12, 10), (0, 10)])
-    clay = slope.add_material("clay", unit_weight=20e3, young_modulus=1e8, poisson_ratio=0.3, cohesion=10e3, friction_angle=20)
+    clay = slope.add_material("clay", unit_weight=20e3, young_modulus=1e8, poisson_ratio=0.3, cohesion=10e3,
+                              friction_angle=20)  # SI units
     slope.add_layer(clay)  # fills the section; base fixed, rollers at the sides
     slope.set("spacing", 0.5)
     # A call that fails raises vbgpd.Error; that of a model says all that is wrong with the slope.

@@ -43,7 +43,7 @@ static void say_info(const char* what, vbgpd_status s, const vbgpd_error_info* i
 /* After a failure the text is on the object. */
 typedef vbgpd_status(VBGPD_CALL* context_reader)(const vbgpd_context*, vbgpd_error_info*, char*, int64_t, int64_t*);
 static void say_failure(vbgpd_status s, context_reader reader, const void* object) {
-  vbgpd_error_info info = {sizeof info};
+  vbgpd_error_info info = {.struct_size = sizeof info};
   char text[SIZE] = "";
   reader(object, &info, text, sizeof text, NULL);
   printf("argument %d of ", info.argument);
@@ -64,7 +64,7 @@ static void step_tables(void) {
     if (vbgpd_property_count(kind, &n) < 0) n = -1;
     printf("03 properties of kind %d: %" PRId64 "\n", kind, n);
     for (i = 0; i < n; ++i) {
-      vbgpd_property_info p = {sizeof p};
+      vbgpd_property_info p = {.struct_size = sizeof p};
       vbgpd_property_info_at(kind, i, &p);
       printf("   %s [%s] %d %s %s %s %d %d %s\n", p.name, p.unit, p.required, hex(p.default_value), hex(p.min_value),
              hex(p.max_value), p.min_open, p.max_open, p.doc);
@@ -72,15 +72,16 @@ static void step_tables(void) {
   }
   vbgpd_field_count(&n);
   for (i = 0; i < n; ++i) {
-    vbgpd_field_info f = {sizeof f};
+    vbgpd_field_info f = {.struct_size = sizeof f};
     vbgpd_field_info_at(i, &f);
     vbgpd_field_find(f.name, VBGPD_STRLEN, &found);
-    printf("04 field %d %s [%s] type %d at %d of %d: %s\n", found, f.name, f.unit, f.type, f.location, f.components, f.doc);
+    printf("04 field %d %s [%s] type %d at %d of %d: %s\n", found, f.name, f.unit, f.type, f.location, f.components,
+           f.doc);
   }
 }
 
 static void step_issues(vbgpd_profile* profile) {
-  vbgpd_error_info info = {sizeof info};
+  vbgpd_error_info info = {.struct_size = sizeof info};
   char text[SIZE];
   int64_t errors = -1, warnings = -1, i;
   printf("validate %d", vbgpd_profile_validate(profile, &errors, &warnings));
@@ -95,7 +96,8 @@ static void step_profile(vbgpd_context* context, vbgpd_profile* profile) {
   double corners[3 * 7], value = 0;
   char text[SIZE] = "***";
   int64_t needed = -1, id = -1, n = -1, i;
-  vbgpd_status s = vbgpd_profile_set_text(profile, VBGPD_OBJECT_PROFILE, 0, "name", 4, "B\xC3\xB6schung \xE6\x96\x9C\xE9\x9D\xA2", 16);
+  vbgpd_status s = vbgpd_profile_set_text(profile, VBGPD_OBJECT_PROFILE, 0, "name", 4,
+                                          "B\xC3\xB6schung \xE6\x96\x9C\xE9\x9D\xA2", 16);
   vbgpd_profile_get_text(profile, VBGPD_OBJECT_PROFILE, 0, "name", 4, text, sizeof text, &needed);
   printf("06 name %d %" PRId64 " %s\n", s, needed, text);
   s = vbgpd_profile_set_exterior(profile, bow_tie, 24, 4);
@@ -143,8 +145,8 @@ static void step_parts(vbgpd_profile* profile) {
   s[3] = vbgpd_profile_add_boundary(profile, "right", 5, NULL, 16, 0, VBGPD_BOUNDARY_ROLLER, NULL);
   s[4] = vbgpd_profile_add_load(profile, 2, 8, 5e3, 5e3, &load);
   for (i = 0; i < 4; ++i) vbgpd_profile_count(profile, VBGPD_OBJECT_MATERIAL + i, &n[i]);
-  printf("14 parts %d %d %d %d %d ids %" PRId64 " %" PRId64 " %" PRId64 " %" PRId64, s[0], s[1], s[2], s[3], s[4], layer,
-         line, side, load);
+  printf("14 parts %d %d %d %d %d ids %" PRId64 " %" PRId64 " %" PRId64 " %" PRId64, s[0], s[1], s[2], s[3], s[4],
+         layer, line, side, load);
   printf(" counts %" PRId64 " %" PRId64 " %" PRId64 " %" PRId64 " ", n[0], n[1], n[2], n[3]);
   step_issues(profile);
 }
@@ -199,15 +201,13 @@ static void step_fields(vbgpd_model* model) {
   vbgpd_status s;
   vbgpd_field_count(&fields);
   for (i = 0; i < fields; ++i) {
-    vbgpd_field_info f = {sizeof f};
+    vbgpd_field_info f = {.struct_size = sizeof f};
     vbgpd_field_info_at(i, &f);
     vbgpd_model_item_count(model, f.location, &items);
     whole = malloc((size_t)(items * f.components) * 8);
     real = malloc((size_t)(items * f.components) * 8);
-    if (f.type == VBGPD_TYPE_I64)
-      s = vbgpd_model_read_i64(model, (int32_t)i, whole, 0, 0, items, &n);
-    else
-      s = vbgpd_model_read_f64(model, (int32_t)i, real, 0, 0, items, &n);
+    if (f.type == VBGPD_TYPE_I64) s = vbgpd_model_read_i64(model, (int32_t)i, whole, 0, 0, items, &n);
+    else s = vbgpd_model_read_f64(model, (int32_t)i, real, 0, 0, items, &n);
     printf("17 %s %d %" PRId64 " %016" PRIX64 "\n", f.name, s, n,
            checksum(f.type == VBGPD_TYPE_I64 ? (void*)whole : (void*)real, items * f.components));
     free(whole);
@@ -229,7 +229,7 @@ static void step_fields(vbgpd_model* model) {
 }
 
 static void step_dynamics(vbgpd_model* model) {
-  vbgpd_advance_result r = {sizeof r};
+  vbgpd_advance_result r = {.struct_size = sizeof r};
   vbgpd_status s;
   vbgpd_model_set_f64(model, "damping", 7, 0.25);
   s = vbgpd_model_step(model, 5, &r);
@@ -248,24 +248,36 @@ static int32_t VBGPD_CALL stop_at_once(void* user, const vbgpd_progress* p) {
   return 1;
 }
 
+/* So fine a grid takes far longer than the tenth of a second after which the function is called. */
+static void step_progress(vbgpd_context* context, vbgpd_profile* profile) {
+  vbgpd_model* model = NULL;
+  vbgpd_job* job = NULL;
+  int calls = 0;
+  vbgpd_status s;
+  vbgpd_profile_set_f64(profile, VBGPD_OBJECT_PROFILE, 0, "spacing", 7, 0.25);
+  vbgpd_model_create(context, profile, &model);
+  vbgpd_job_create_strength_reduction(model, &job);
+  s = vbgpd_job_run(job, 0, stop_at_once, &calls, NULL);
+  printf("27 stopped by the progress function %d after %d, ", s, calls);
+  vbgpd_job_cancel(job);
+  printf("cancelled %d\n", vbgpd_job_run(job, 0, NULL, NULL, NULL));
+  vbgpd_model_destroy(model);
+  vbgpd_job_destroy(job);
+}
+
 static void step_strength_reduction(vbgpd_model* model, vbgpd_job* job) {
   static const char* const results[] = {"factor_of_safety", "srf_stable", "srf_unstable", "displacement_level",
-                                        "sliding_area", "levels", "trials", "steps", "particles", "bonds"};
+                                        "sliding_area",     "levels",     "trials",       "steps",
+                                        "particles",        "bonds"};
   static const char* const texts[] = {"status", "reason", "scheme", "reduced", "flow_rule"};
   char text[SIZE];
   double xy[2 * SIZE];
   int64_t i, n = -1;
-  int calls = 0;
   vbgpd_status s, set = vbgpd_job_set_f64(job, "levels", 6, 1);
   printf("22 option %d, unknown: ", set);
   JOB_FAILED(vbgpd_job_set_f64(job, "level", 5, 1));
-  vbgpd_job_cancel(job);
-  s = vbgpd_job_run(job, 0, NULL, NULL, NULL);
-  printf("23 cancelled %d", s);
-  s = vbgpd_job_run(job, 0, stop_at_once, &calls, NULL);
-  printf(", stopped by the progress function %d after %d\n", s, calls);
   s = run_in_slices(job);
-  printf("24 strength reduction %d", s);
+  printf("23 strength reduction %d", s);
   say_job_numbers(job, results, 10);
   say_hash(model);
   for (i = 0; i < 5; ++i) {
@@ -273,25 +285,25 @@ static void step_strength_reduction(vbgpd_model* model, vbgpd_job* job) {
     printf("   %s: %s\n", texts[i], text);
   }
   for (i = 0;; ++i) {
-    vbgpd_trial t = {sizeof t};
+    vbgpd_trial t = {.struct_size = sizeof t};
     s = vbgpd_job_trial(job, i, &t);
     if (s != VBGPD_OK) break;
-    printf("25 trial %d %d %d %s %s %s %s %s %s %" PRId64 "\n", t.level, t.verdict, t.band_connected,
+    printf("24 trial %d %d %d %s %s %s %s %s %s %" PRId64 "\n", t.level, t.verdict, t.band_connected,
            hex(t.strength_reduction_factor), hex(t.unbalanced_force_ratio), hex(t.unbalanced_force_slope),
            hex(t.displacement_level), hex(t.displacement_growth), hex(t.power_ratio), t.steps);
   }
   printf("   then %d\n", s);
   for (i = 0;; ++i) {
-    vbgpd_level l = {sizeof l};
+    vbgpd_level l = {.struct_size = sizeof l};
     s = vbgpd_job_level(job, i, &l);
     if (s != VBGPD_OK) break;
-    printf("26 level %s %s %" PRId64 " %" PRId64 " %" PRId64 " %" PRId64 " %s %s %s\n", hex(l.spacing_x),
+    printf("25 level %s %s %" PRId64 " %" PRId64 " %" PRId64 " %" PRId64 " %s %s %s\n", hex(l.spacing_x),
            hex(l.spacing_y), l.particles, l.bonds, l.steps, l.trials, hex(l.srf_stable), hex(l.srf_unstable),
            hex(l.factor_of_safety));
   }
   printf("   then %d\n", s);
   s = vbgpd_job_slip_surface(job, xy, 16, SIZE, &n);
-  printf("27 slip surface %d %" PRId64 " %016" PRIX64 "\n", s, n, checksum(xy, 2 * n));
+  printf("26 slip surface %d %" PRId64 " %016" PRIX64 "\n", s, n, checksum(xy, 2 * n));
 }
 
 int main(void) {
@@ -326,6 +338,7 @@ int main(void) {
   vbgpd_model_create(context, profile, &model);
   vbgpd_job_create_strength_reduction(model, &job);
   step_strength_reduction(model, job);
+  step_progress(context, profile);
   /* Parents first; the job still answers. A destroyed handle is known as such, NULL may be destroyed. */
   s = vbgpd_profile_destroy(profile);
   printf("28 destroyed %d %d", s, vbgpd_profile_count(profile, VBGPD_OBJECT_LAYER, &n));

@@ -10,8 +10,8 @@
             job.run(lambda progress: print(f"{progress.fraction:.0%}"))
             print(job.get("factor_of_safety"), job.slip_surface())
 
-Everything is SI (m, N, Pa, kg, s), angles in degrees, x right, y up, stress positive in tension. A call that fails raises
-Error with the engine's sentence and where the fault is. Objects may be closed in any order, by `with`, by close() or by
+Everything is SI (m, N, Pa, kg, s), angles in degrees, x right, y up, stress positive in tension. A call that fails
+raises Error with the engine's sentence and where the fault is. Objects may be closed in any order, by `with`, by close() or by
 the garbage collector. The package needs numpy and, without being built, the library: see Library.load.
 """
 import ctypes
@@ -20,12 +20,12 @@ import time
 import numpy
 
 from . import _raw
-from ._engine import (Boundary, Error, FieldInfo, Issue, Kind, Library, Location, Property, Status, Verdict, address, field,
-                      fields, points_from, points_in, properties, raise_failure, status_name, text_from, version,
-                      version_number)
+from ._engine import (Boundary, Error, FieldInfo, Issue, Kind, Library, Location, Property, Status, Verdict, address,
+                      field, fields, points_from, points_in, properties, raise_failure, status_name, text_from,
+                      version, version_number)
 
-__all__ = ["Boundary", "Context", "Error", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "Model", "Profile",
-           "Property", "Status", "Verdict", "field", "fields", "properties", "status_name", "version", "version_number"]
+__all__ = ["Boundary", "Context", "Error", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "Model",
+           "Profile", "Property", "Status", "Verdict", "field", "fields", "properties", "status_name", "version", "version_number"]
 
 
 class _Object:
@@ -157,7 +157,7 @@ class Profile(_Object):
         return load.value
 
     def set(self, name, value, kind=Kind.PROFILE, id=0):
-        """A named number or text of the profile, or of the part `id` of that Kind; None takes a number back to absent."""
+        """A named number or text of the profile, or of the part `id` of a Kind; None takes a number back to absent."""
         key = name.encode()
         if isinstance(value, str):
             text = value.encode()

@@ -1,0 +1,210 @@
+"""The conformance transcript in Python; it must print what transcript.c prints. Usage: transcript.py LIBRARY."""
+import ctypes
+import struct
+import sys
+
+import numpy
+
+import vbgpd
+from vbgpd import Kind, Location, _raw
+
+library = vbgpd.Library.load(sys.argv[1])
+OUTLINE = numpy.array([[0, 0], [40, 0], [40, 5], [25, 5], [15, 15], [0, 15]], dtype=float)
+MASK = (1 << 64) - 1
+
+
+def hex_of(value):
+    return struct.pack(">d", float("nan") if value is None else value).hex().upper()
+
+
+def hexes(*values):
+    return " ".join(hex_of(value) for value in values)
+
+
+def checksum(array):
+    total = 0
+    for word in numpy.ascontiguousarray(array).view(numpy.uint64).ravel().tolist():
+        total = ((total << 1) | (total >> 63)) & MASK ^ word
+    return f"{total:016X}"
+
+
+def said(what, status, fault, text):
+    """An Issue or an Error as the C program prints a vbgpd_error_info."""
+    absent = [-1 if v is None else v for v in (fault.object_id, fault.item)]
+    return (f"{what} {status}: status {int(fault.status)} kind {fault.object_kind or 0:d} "
+            f"id {absent[0]} item {absent[1]} at {hexes(fault.x, fault.y)} value {hex_of(fault.value)}: {text}")
+
+
+def failure(call, *arguments):
+    try:
+        call(*arguments)
+    except vbgpd.Error as error:
+        return f"argument {error.argument or 0} of " + said("failure", int(error.status), error, str(error))
+    return "no failure"
+
+
+def tables():
+    print(f"01 version {vbgpd.version_number(library)} {library.c.vbgpd_abi_version()} {vbgpd.version(library)}")
+    print("02 status", *(vbgpd.status_name(status, library) for status in (-11, 3, 12345)))
+    for kind in range(Kind.PROFILE, Kind.JOB + 1):
+        listed = vbgpd.properties(kind, library)
+        print(f"03 properties of kind {kind}: {len(listed)}")
+        for p in listed:
+            print(f"   {p.name} [{p.unit}] {p.required:d} {hexes(p.default, p.minimum, p.maximum)} {p.minimum_open:d} "
+                  f"{p.maximum_open:d} {p.doc}")
+    for f in vbgpd.fields(library):
+        print(f"04 field {vbgpd.field(f.name, library).index} {f.name} [{f.unit}] type {2 if f.dtype == int else 1} "
+              f"at {f.location:d} of {f.components}: {f.doc}")
+
+
+def issues(profile):
+    found = profile.validate()
+    errors = sum(issue.is_error for issue in found)
+    print(f"validate 0 errors {errors} warnings {len(found) - errors}")
+    for issue in found:
+        print(said("   issue", 0, issue, issue.text))
+
+
+def contexts():
+    desc, other = _raw.vbgpd_context_desc(), _raw.vbgpd_context()
+    library.c.vbgpd_context_desc_init(desc, ctypes.sizeof(desc))
+    desc.abi_version = 99
+    refused = library.c.vbgpd_context_create(desc, other)
+    context = vbgpd.Context(max_particles=100000, library=library)
+    print("05 context", refused, 0, library.c.vbgpd_context_error(context.handle, None, None, 0, None))
+    return context
+
+
+def edit(context, profile):
+    profile.set("name", "Böschung 斜面")
+    name = profile.get_text("name")
+    print("06 name 0", len(name.encode()), name)
+    bow_tie = numpy.array([[0, 0, -7], [10, 10, -7], [10, 0, -7], [0, 10, -7]], dtype=float)
+    profile.set_exterior(bow_tie[:, :2])
+    print("07 bow tie 0", end=" ")
+    issues(profile)
+    profile.set_exterior(OUTLINE[::-1])
+    corners = numpy.full((7, 3), 99.0)
+    corners[:6, :2] = profile.polygon()
+    print(f"08 outline backwards 0: {len(profile.polygon())} points, checksum {checksum(corners)}")
+    print(f"09 material 0 id {profile.add_material('soil')}, again:", failure(profile.add_material, "soil"))
+    print("10 unknown name:", failure(profile.set, "cohesin", 1, Kind.MATERIAL, 0))
+    buffer, needed = ctypes.create_string_buffer(b"untouched"), ctypes.c_int64()
+    small = library.c.vbgpd_profile_get_text(profile.handle, Kind.MATERIAL, 0, b"law", 3, buffer, 3, needed)
+    print(f"11 small buffer {small} needed {needed.value} {buffer.value.decode()}:", failure(profile._check, small))
+    print("12 model of half a profile:", failure(vbgpd.Model, context, profile))
+    for name, value in dict(unit_weight=20e3, cohesion=12e3, friction_angle=20).items():
+        profile.set(name, value, Kind.MATERIAL, 0)
+    profile.set("spacing", 1.25)
+    profile.set("srf_tolerance", 0.05)
+    print("13 numbers", hexes(profile.get("young_modulus", Kind.MATERIAL), profile.get("tension_cutoff", Kind.MATERIAL),
+                              profile.get("spacing")))
+    layer = profile.add_layer(0)
+    line = profile.add_boundary(vbgpd.Boundary.FIXED, xy=[(0, 0), (40, 0)])
+    side = profile.add_boundary(vbgpd.Boundary.ROLLER, "left")
+    profile.add_boundary(vbgpd.Boundary.ROLLER, "right")
+    load = profile.add_load(2, 8, 5e3)
+    print("14 parts 0 0 0 0 0 ids", layer, line, side, load, "counts",
+          *(profile.count(kind) for kind in (Kind.MATERIAL, Kind.LAYER, Kind.LOAD, Kind.BOUNDARY)), end=" ")
+    issues(profile)
+
+
+def numbers(model, *names):
+    return hexes(*(model.get(name) for name in names))
+
+
+def equilibrium(model):
+    with vbgpd.Job.equilibrium(model) as job:
+        status = job.run(slice_seconds=0.05)
+        print(f"16 equilibrium 0 {status:d}",
+              numbers(job, "unbalanced_force_ratio", "max_displacement", "displacement_level", "steps"),
+              f"hash {model.state_hash:016X}")
+
+
+def read_fields(model):
+    for f in vbgpd.fields(library):
+        values = model.field(f.name)
+        print(f"17 {f.name} 0 {len(values)} {checksum(values)}")
+    wide = numpy.full((2 * model.item_count(Location.PARTICLE), 6), 7.0)
+    read = model.field("stress", wide[::2, 4:0:-1])
+    print(f"18 strided stress 0 {len(read)} {checksum(wide)}")
+    whole = numpy.empty(len(read), numpy.int64)
+    print("19 whole numbers of a real field:", failure(model.field, "volume", whole))
+
+
+def dynamics(model):
+    model.set("damping", 0.25)
+    status, r = model.step(5)
+    print(f"20 steps {status:d} {r.steps}",
+          hexes(r.time, r.time_step, r.kinetic_energy, r.unbalanced_force_ratio, r.max_displacement, r.max_velocity),
+          f"{r.plastic_bonds} hash {model.state_hash:016X}")
+    model.cancel()
+    status, r = model.step(5)
+    print(f"21 cancelled 0 {status:d} {r.steps}, minus one step:", failure(model.step, -1))
+
+
+def strength_reduction(model, job):
+    job.set("levels", 1)
+    print("22 option 0, unknown:", failure(job.set, "level", 1))
+    status = job.run(slice_seconds=0.05)
+    print(f"23 strength reduction {status:d}",
+          numbers(job, "factor_of_safety", "srf_stable", "srf_unstable", "displacement_level", "sliding_area", "levels",
+                  "trials", "steps", "particles", "bonds"), f"hash {model.state_hash:016X}")
+    for name in ("status", "reason", "scheme", "reduced", "flow_rule"):
+        print(f"   {name}: {job.get_text(name)}")
+    for t in job.trials():
+        print("24 trial", t.level, t.verdict, t.band_connected,
+              hexes(t.strength_reduction_factor, t.unbalanced_force_ratio, t.unbalanced_force_slope,
+                    t.displacement_level, t.displacement_growth, t.power_ratio), t.steps)
+    print("   then", library.c.vbgpd_job_trial(job.handle, len(job.trials()), _raw.vbgpd_trial()))
+    for level in job.levels():
+        print("25 level", hexes(level.spacing_x, level.spacing_y), level.particles, level.bonds, level.steps,
+              level.trials, hexes(level.srf_stable, level.srf_unstable, level.factor_of_safety))
+    print("   then", library.c.vbgpd_job_level(job.handle, len(job.levels()), _raw.vbgpd_level()))
+    surface = job.slip_surface()
+    print(f"26 slip surface 0 {len(surface)} {checksum(surface)}")
+
+
+def progress(context, profile):
+    """So fine a grid takes far longer than the tenth of a second after which the function is called."""
+    profile.set("spacing", 0.25)
+    with vbgpd.Model(context, profile) as model, vbgpd.Job.strength_reduction(model) as job:
+        calls = []
+        stop_at_once = _raw.vbgpd_progress_fn(lambda user, p: calls.append(p.contents.fraction) or 1)
+        stopped = library.c.vbgpd_job_run(job.handle, 0, stop_at_once, None, None)
+        calls = sum(0 <= fraction <= 1 for fraction in calls)
+        job.cancel()
+        print(f"27 stopped by the progress function {stopped} after {calls}, cancelled {job.run():d}")
+
+
+def endings(context, profile, model, job):
+    c, n, value = library.c, ctypes.c_int64(), ctypes.c_double()
+    gone = _raw.vbgpd_profile(profile.handle.value)
+    profile.close()
+    foreign = _raw.vbgpd_model(context.handle.value)
+    print("28 destroyed 0", c.vbgpd_profile_count(gone, Kind.LAYER, n), "NULL",
+          c.vbgpd_model_item_count(None, Location.BOND, n), c.vbgpd_job_get_f64(None, b"steps", 5, value),
+          c.vbgpd_profile_destroy(None), "foreign", c.vbgpd_model_item_count(foreign, Location.BOND, n))
+    context.close()
+    model.close()
+    print("29 destroyed 0 0, job still has", numbers(job, "factor_of_safety"), end=" ")
+    job.close()
+    print(0)
+
+
+sys.stdout.reconfigure(encoding="utf-8", newline="\n")
+tables()
+context = contexts()
+profile = vbgpd.Profile(context)
+edit(context, profile)
+model = vbgpd.Model(context, profile)
+print("15 model 0", numbers(model, "particles", "bonds", "area", "height", "total_mass", "spacing_x", "spacing_y"),
+      f"hash {model.state_hash:016X}")
+equilibrium(model)
+read_fields(model)
+dynamics(model)
+model = vbgpd.Model(context, profile)
+job = vbgpd.Job.strength_reduction(model)
+strength_reduction(model, job)
+progress(context, profile)
+endings(context, profile, model, job)
