@@ -21,14 +21,17 @@ class CellGrid {
       x0_ = std::min(x0_, s.ix), x1_ = std::max(x1_, s.ix), y0_ = std::min(y0_, s.iy), y1_ = std::max(y1_, s.iy);
     }
     --x0_, --y0_, ++x1_, ++y1_;  // a rim of empty cells
-    values_.assign(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()), std::numeric_limits<double>::quiet_NaN());
+    values_.assign(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()),
+                   std::numeric_limits<double>::quiet_NaN());
     std::size_t id = 0;  // soil particles are numbered in seed order, before the walls
     for (const Seed& s : section.seeds)
       if (s.hold == Hold::kFree) at(s.ix - x0_, s.iy - y0_) = by_id[id++];
   }
   Index width() const { return x1_ - x0_ + 1; }
   Index height() const { return y1_ - y0_ + 1; }
-  double& at(Index i, Index j) { return values_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(i)]; }
+  double& at(Index i, Index j) {
+    return values_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(i)];
+  }
   double at(Index i, Index j) const { return const_cast<CellGrid*>(this)->at(i, j); }
   bool inside(Index i, Index j) const { return i >= 0 && j >= 0 && i < width() && j < height(); }
   bool soil(Index i, Index j) const { return inside(i, j) && at(i, j) == at(i, j); }

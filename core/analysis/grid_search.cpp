@@ -10,7 +10,8 @@ namespace vbgpd {
 namespace {
 
 constexpr std::int64_t kWindow = 10;
-constexpr double kNotch = 0.25;  // trial factors are multiples of this share of the tolerance: the same for every unit and side
+constexpr double kNotch =
+    0.25;  // trial factors are multiples of this share of the tolerance: the same for every unit and side
 
 }  // namespace
 
@@ -81,15 +82,21 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
     failed_ = std::isnan(failed_) ? factor : std::min(failed_, factor);
     displacement_level_ = trial.displacement_level;
   }
-  if (trial.verdict == Verdict::kUndecided) {
-    end_ = SearchEnd::kNotConverged, done_ = true;
-    reason_ = "at F = " + format(factor) + " neither equilibrium nor steady failure showed within " + std::to_string(trial.steps) +
-              " steps (unbalanced force ratio " + format(trial.unbalanced_force_ratio) + ")";
-  }
+  if (trial.verdict == Verdict::kUndecided) set_aside(trial);
   progress_.srf_stable = stable_, progress_.srf_unstable = failed_;
 }
 
-/// Overshoot and follow: let the slope flow a little above its factor of safety and read where the flow would just balance,
+/// A factor that could not be decided is no verdict: another one is tried beside it, a few times.
+void GridSearch::set_aside(const Trial& trial) {
+  constexpr int kMost = 4;
+  reason_ = "at F = " + format(trial.strength_reduction_factor) +
+            " neither equilibrium nor steady failure showed within " + std::to_string(trial.steps) +
+            " steps (unbalanced force ratio " + format(trial.unbalanced_force_ratio) + ")";
+  if (++undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
+}
+
+/// Overshoot and follow: let the slope flow a little above its factor of safety and read where the flow would just
+/// balance,
 ///   F_e = F (internal power / external power),
 /// which tends to the factor of safety whatever F drives the flow.
 Slices GridSearch::follow() {
@@ -97,9 +104,9 @@ Slices GridSearch::follow() {
   double factor = std::isnan(options_.guess) ? 1.0 : 1.04 * options_.guess;
   factor = std::clamp(factor, options_.srf_min, options_.srf_max);
   const RelaxOptions options;
-  constexpr double kLevel = 12;      // displacement level at which the flow is read
-  constexpr double kFlat = 3e-4;     // F_e is flat when two looks differ by less than this
-  constexpr double kFall = 0.01;     // and past its peak when it falls by more than this
+  constexpr double kLevel = 12;   // displacement level at which the flow is read
+  constexpr double kFlat = 3e-4;  // F_e is flat when two looks differ by less than this
+  constexpr double kFall = 0.01;  // and past its peak when it falls by more than this
   const std::int64_t look = std::max<std::int64_t>(2 * kWindow, response_ / 2);
   const std::int64_t most = 60 * response_;
   // 1. overshoot: raise F until the slope flows, then wait until F_e is flat and the flow developed
@@ -175,10 +182,10 @@ Slices GridSearch::fast_bracket() {
   double low = std::max(options_.srf_min, notched(flow_ - 0.3 * notch));
   // lower end: the same flow comes to rest; if not, step down, each time from the last state at rest
   for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
-    if (!std::isnan(failed_)) simulation_.restore(*standing_);
+    if (!std::isnan(failed_) || undecided_ > 0) simulation_.restore(*standing_);
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
     if (done_ || verdict_ == Verdict::kStable) break;
-    if (low <= options_.srf_min) {
+    if (low <= options_.srf_min && verdict_ == Verdict::kFailed) {
       end_ = SearchEnd::kBelowMin, done_ = true;
       reason_ = "the slope fails even at the lowest strength reduction factor asked, " + format(options_.srf_min);
       co_return;
@@ -188,6 +195,7 @@ Slices GridSearch::fast_bracket() {
   // upper end: from the state at rest, a little more; if it stands, it is the new lower end
   for (double step = 2 * notch; !done_ && std::isnan(failed_); step *= 2) {
     const double high = std::min(options_.srf_max, notched(stable_ + step + 0.5 * notch));
+    if (verdict_ == Verdict::kUndecided) simulation_.restore(*standing_);
     for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};
     if (!done_ && verdict_ == Verdict::kStable && high >= options_.srf_max) {
       end_ = SearchEnd::kAboveMax, done_ = true;
@@ -198,7 +206,9 @@ Slices GridSearch::fast_bracket() {
   // between a standing and a failing factor further apart than asked: halve, from the last state at rest
   while (!done_ && !closed()) {
     simulation_.restore(*standing_);
-    for (Slices s = try_factor(notched((stable_ + failed_) / 2 + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
+    // beside the middle after an undecided trial there
+    const double middle = (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
+    for (Slices s = try_factor(notched(middle + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
 }
 
@@ -210,6 +220,10 @@ Slices GridSearch::bisection() {
     from_gravity();
     for (Slices s = try_factor(factor, Phase::kSearch); s.next();) co_yield Pause{};
     if (done_) co_return;
+    if (verdict_ == Verdict::kUndecided) {
+      factor = std::clamp(factor * 0.97, options_.srf_min, options_.srf_max);
+      continue;
+    }
     const bool stood = verdict_ == Verdict::kStable;
     if (stood && factor >= options_.srf_max) {
       end_ = SearchEnd::kAboveMax, done_ = true;
@@ -223,7 +237,8 @@ Slices GridSearch::bisection() {
   }
   while (!done_ && !closed()) {
     from_gravity();
-    for (Slices s = try_factor((stable_ + failed_) / 2, Phase::kFailedEnd); s.next();) co_yield Pause{};
+    const double middle = (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
+    for (Slices s = try_factor(middle, Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
 }
 

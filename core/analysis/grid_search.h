@@ -9,8 +9,8 @@ namespace vbgpd {
 
 struct SearchOptions {
   double srf_min = 0.1, srf_max = 20, tolerance = 0.005;
-  double guess = kNone;   ///< from a coarser grid, NaN = none
-  bool careful = false;   ///< plain bisection, every trial from the gravity state
+  double guess = kNone;  ///< from a coarser grid, NaN = none
+  bool careful = false;  ///< plain bisection, every trial from the gravity state
   std::int64_t step_limit = 0;
 };
 
@@ -18,7 +18,8 @@ enum class SearchEnd { kBracketed, kBelowMin, kAboveMax, kNotConverged, kNoGravi
 
 class GridSearch {
  public:
-  GridSearch(Simulation& simulation, const SearchOptions& options, int level_number, std::vector<Trial>& trials, Progress& progress)
+  GridSearch(Simulation& simulation, const SearchOptions& options, int level_number, std::vector<Trial>& trials,
+             Progress& progress)
       : simulation_(simulation), options_(options), trials_(trials), progress_(progress), level_(level_number) {}
 
   /// Gravity, search, then trials until the bracket is as narrow as asked.
@@ -40,6 +41,7 @@ class GridSearch {
   Slices try_factor(double factor, Phase phase);
   void set_factor(double factor);
   double notched(double factor) const;
+  void set_aside(const Trial& trial);
   bool closed() const { return failed_ - stable_ <= options_.tolerance * (1 + 1e-9); }
 
   Simulation& simulation_;
@@ -53,6 +55,7 @@ class GridSearch {
   Verdict verdict_ = Verdict::kUndecided;
   SearchEnd end_ = SearchEnd::kNotConverged;
   std::string reason_;
+  int undecided_ = 0;
   bool done_ = false;
 };
 

@@ -47,7 +47,8 @@ struct Level {
 };
 
 struct JobResult {
-  std::string status = "NOT_RUN";  ///< OK, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, DIVERGED
+  std::string status =
+      "NOT_RUN";  ///< OK, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, DIVERGED
   std::string reason, scheme, reduced, flow_rule;
   double factor_of_safety = kNone, srf_stable = kNone, srf_unstable = kNone, error_estimate = kNone;
   double displacement_level = kNone, sliding_area = kNone, energy_residual = kNone;
@@ -72,12 +73,12 @@ class Job {
  public:
   using Callback = std::function<bool(const Progress&)>;  ///< true = go on
   virtual ~Job() = default;
-  /// kOk finished; kLimitReached, kCancelled call again; kNotConverged, kUnstable finished with that outcome; kDiverged.
-  /// wall_seconds <= 0 = no limit. The callback is called at most about ten times a second.
+  /// kOk finished; kLimitReached, kCancelled call again; kNotConverged, kUnstable finished with that outcome;
+  /// kDiverged. wall_seconds <= 0 = no limit. The callback is called at most about ten times a second.
   virtual Status run(double wall_seconds, const Callback& callback) = 0;
-  virtual void cancel() noexcept = 0;   ///< any thread, signal-safe
+  virtual void cancel() noexcept = 0;                         ///< any thread, signal-safe
   virtual void set(std::string_view name, double value) = 0;  ///< throws Error(kUnknownName | kRange | kState)
-  virtual double get(std::string_view name) const = 0;        ///< options and results by name; throws Error(kUnknownName)
+  virtual double get(std::string_view name) const = 0;  ///< options and results by name; throws Error(kUnknownName)
   virtual bool finished() const = 0;
   virtual const Progress& progress() const = 0;
   virtual const JobResult& result() const = 0;

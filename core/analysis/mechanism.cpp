@@ -22,7 +22,8 @@ std::vector<double> motion(const Instant& before, const Instant& after) {
 
 std::vector<double> shearing(const Instant& before, const Instant& after) {
   std::vector<double> out(after.plastic_strain.size());
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::max(0.0, after.plastic_strain[i] - before.plastic_strain[i]);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = std::max(0.0, after.plastic_strain[i] - before.plastic_strain[i]);
   return out;
 }
 
@@ -38,14 +39,18 @@ double quantile(const CellGrid& grid, double share) {
 }
 
 /// Cells of the component that holds (i, j), among those with a value of at least `least`; marks them in `seen`.
-std::vector<std::pair<Index, Index>> component(const CellGrid& grid, double least, Index i, Index j, std::vector<bool>& seen) {
+std::vector<std::pair<Index, Index>> component(const CellGrid& grid, double least, Index i, Index j,
+                                               std::vector<bool>& seen) {
   std::vector<std::pair<Index, Index>> cells{{i, j}};
-  const auto key = [&](Index a, Index b) { return static_cast<std::size_t>(b) * static_cast<std::size_t>(grid.width()) + static_cast<std::size_t>(a); };
+  const auto key = [&](Index a, Index b) {
+    return static_cast<std::size_t>(b) * static_cast<std::size_t>(grid.width()) + static_cast<std::size_t>(a);
+  };
   seen[key(i, j)] = true;
   for (std::size_t k = 0; k < cells.size(); ++k)
     for (Index a = cells[k].first - 1; a <= cells[k].first + 1; ++a)
       for (Index b = cells[k].second - 1; b <= cells[k].second + 1; ++b)
-        if (grid.soil(a, b) && !seen[key(a, b)] && grid.at(a, b) >= least) seen[key(a, b)] = true, cells.emplace_back(a, b);
+        if (grid.soil(a, b) && !seen[key(a, b)] && grid.at(a, b) >= least)
+          seen[key(a, b)] = true, cells.emplace_back(a, b);
   return cells;
 }
 
@@ -59,13 +64,15 @@ std::vector<bool> moving_mass(const CellGrid& grid, double least) {
   std::size_t most = 0;
   for (Index j = 0; j < grid.height(); ++j)
     for (Index i = 0; i < grid.width(); ++i) {
-      const auto key = static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.width()) + static_cast<std::size_t>(i);
+      const auto key =
+          static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.width()) + static_cast<std::size_t>(i);
       if (!grid.soil(i, j) || seen[key] || grid.at(i, j) < least) continue;
       const auto cells = component(grid, least, i, j, seen);
       if (cells.size() <= most) continue;
       most = cells.size();
       std::fill(best.begin(), best.end(), false);
-      for (auto [a, b] : cells) best[static_cast<std::size_t>(b) * static_cast<std::size_t>(grid.width()) + static_cast<std::size_t>(a)] = true;
+      for (auto [a, b] : cells)
+        best[static_cast<std::size_t>(b) * static_cast<std::size_t>(grid.width()) + static_cast<std::size_t>(a)] = true;
     }
   return best;
 }
@@ -90,7 +97,8 @@ std::vector<std::vector<Vec2>> contour(const CellGrid& grid, double level) {
       };
       look(i, j, i + 1, j, {i, j, 0}), look(i + 1, j, i + 1, j + 1, {i + 1, j, 1});
       look(i, j + 1, i + 1, j + 1, {i, j + 1, 0}), look(i, j, i, j + 1, {i, j, 1});
-      for (std::size_t k = 0; k + 1 < cuts.size(); k += 2) pieces.push_back({cuts[k].first, cuts[k + 1].first, cuts[k].second, cuts[k + 1].second});
+      for (std::size_t k = 0; k + 1 < cuts.size(); k += 2)
+        pieces.push_back({cuts[k].first, cuts[k + 1].first, cuts[k].second, cuts[k + 1].second});
     }
   // join pieces that share an edge
   std::map<std::array<Index, 3>, std::vector<std::size_t>> ends;
@@ -137,7 +145,8 @@ std::vector<Vec2> resampled(const std::vector<Vec2>& line, double step) {
   double passed = 0;
   for (std::size_t n = 1; n + 1 < count; ++n) {
     const double target = total * static_cast<double>(n) / static_cast<double>(count - 1);
-    while (k + 1 < line.size() && passed + (line[k] - line[k - 1]).norm() < target) passed += (line[k] - line[k - 1]).norm(), ++k;
+    while (k + 1 < line.size() && passed + (line[k] - line[k - 1]).norm() < target)
+      passed += (line[k] - line[k - 1]).norm(), ++k;
     const double piece = (line[k] - line[k - 1]).norm();
     out.push_back(piece > 0 ? Vec2(line[k - 1] + (target - passed) / piece * (line[k] - line[k - 1])) : line[k]);
   }
@@ -237,7 +246,8 @@ bool band_connected(const Simulation& simulation, const Instant& before, const I
   std::vector<bool> seen(rate.values().size(), false);
   for (Index j = 0; j < rate.height(); ++j)
     for (Index i = 0; i < rate.width(); ++i) {
-      const auto key = static_cast<std::size_t>(j) * static_cast<std::size_t>(rate.width()) + static_cast<std::size_t>(i);
+      const auto key =
+          static_cast<std::size_t>(j) * static_cast<std::size_t>(rate.width()) + static_cast<std::size_t>(i);
       if (!rate.soil(i, j) || seen[key] || rate.at(i, j) < least) continue;
       Vec2 low = Vec2::Constant(INFINITY), high = -low;
       for (auto [a, b] : component(rate, least, i, j, seen))
@@ -271,7 +281,8 @@ SlipSurface slip_surface(const Simulation& simulation, const Instant& before, co
   }
   std::vector<std::vector<Vec2>> lines = contour(moved, level);
   if (lines.empty()) return out;
-  std::vector<Vec2> line = *std::max_element(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return length_of(a) < length_of(b); });
+  std::vector<Vec2> line = *std::max_element(lines.begin(), lines.end(),
+                                             [](const auto& a, const auto& b) { return length_of(a) < length_of(b); });
   const double spacing = section.lattice.spacing.minCoeff();
   if (line.size() < 3) return out;
   line = resampled(line, spacing);

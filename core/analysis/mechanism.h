@@ -14,16 +14,18 @@ struct Instant {
 };
 Instant instant(const Simulation& simulation);
 
-/// True when the particles that sheared most between two instants form a connected band that joins two places of the outline
-/// (free surface or held boundary) at least a quarter of the height apart: a kinematic mechanism, not a local yield zone.
+/// True when the particles that sheared most between two instants form a connected band that joins two places of the
+/// outline (free surface or held boundary) at least a quarter of the height apart: a kinematic mechanism, not a local
+/// yield zone.
 bool band_connected(const Simulation& simulation, const Instant& before, const Instant& after);
 
 struct SlipSurface {
   std::vector<Point> line;  ///< left to right, m
   double sliding_area = 0;  ///< of the moving mass, m2
 };
-/// The slip line of the motion between two instants: the edge of the moving mass inside the soil (|du| = half the motion of the
-/// mass), each point drawn to the plastic-rate weighted centre of the band along the edge's normal (method 5.4), smoothed.
+/// The slip line of the motion between two instants: the edge of the moving mass inside the soil (|du| = half the
+/// motion of the mass), each point drawn to the plastic-rate weighted centre of the band along the edge's normal
+/// (method 5.4), smoothed.
 SlipSurface slip_surface(const Simulation& simulation, const Instant& before, const Instant& after);
 
 }  // namespace vbgpd

@@ -14,7 +14,7 @@ constexpr JobOption kOptions[] = {
     {"srf_tolerance", "1", "width of the bracket asked for", kNone, 1e-4, 0.5},
     {"levels", "1", "grids: 1 plain, 2 extrapolated, 3 with a check of the order", 2, 1, 3},
     {"careful", "1", "0 fast search, then verification; 1 plain bisection from the gravity state", 0, 0, 1},
-    {"step_limit", "1", "steps after which a trial is undecided; 0 = 100 response times", 0, 0, 1e12},
+    {"step_limit", "1", "steps after which a trial is undecided; 0 = 30 response times", 0, 0, 1e12},
 };
 
 }  // namespace
@@ -71,7 +71,8 @@ void SliceJob::set(std::string_view name, double value) {
     if (!(value >= o.min_value && value <= o.max_value)) {
       Issue issue;
       issue.status = Status::kRange, issue.object = ObjectKind::kJob, issue.value = value;
-      issue.text = std::string(name) + " = " + format(value) + ": must be in [" + format(o.min_value) + ", " + format(o.max_value) + "]";
+      issue.text = std::string(name) + " = " + format(value) + ": must be in [" + format(o.min_value) + ", " +
+                   format(o.max_value) + "]";
       throw Error(issue);
     }
     options_[o.name] = value;
@@ -82,7 +83,8 @@ void SliceJob::set(std::string_view name, double value) {
 
 double SliceJob::get(std::string_view name) const {
   const JobResult& r = result_;
-  if (const auto found = options_.find(std::string(name)); found != options_.end() && name != "levels") return found->second;
+  if (const auto found = options_.find(std::string(name)); found != options_.end() && name != "levels")
+    return found->second;
   if (name == "factor_of_safety") return r.factor_of_safety;
   if (name == "srf_stable") return r.srf_stable;
   if (name == "srf_unstable") return r.srf_unstable;

@@ -41,7 +41,8 @@ class StrengthReductionJob final : public SliceJob {
       if (!finest) coarse = compile_grid(list[n]);
       Simulation& simulation = finest ? simulation_ : *coarse;
       SearchOptions options;
-      options.srf_min = option("srf_min"), options.srf_max = option("srf_max"), options.tolerance = option("srf_tolerance");
+      options.srf_min = option("srf_min"), options.srf_max = option("srf_max"),
+      options.tolerance = option("srf_tolerance");
       options.careful = option("careful") != 0;
       options.step_limit = static_cast<std::int64_t>(option("step_limit"));
       if (!factors.empty()) options.guess = factors.back();
@@ -74,22 +75,26 @@ class StrengthReductionJob final : public SliceJob {
 
   std::unique_ptr<Simulation> compile_grid(const Grid& grid) const {
     CompileOptions options = simulation_.options();
-    options.spacing_factor = grid.spacing_factor, options.lattice_multiple = grid.multiple, options.coarsening = grid.coarsening;
+    options.spacing_factor = grid.spacing_factor, options.lattice_multiple = grid.multiple,
+    options.coarsening = grid.coarsening;
     return Simulation::compile(simulation_.scene(), options);
   }
 
   void estimate_fraction(std::size_t n, std::size_t count) {
     // a finer grid costs about eight times the coarser one; inside a grid the phases are of like length
     const double share = count == 1 ? 1 : (n + 1 == count ? 0.85 : 0.15 / static_cast<double>(count - 1));
-    const double done = n + 1 == count && count > 1 ? 0.15 : 0.15 * static_cast<double>(n) / std::max(1.0, static_cast<double>(count - 1));
+    const double done = n + 1 == count && count > 1
+                            ? 0.15
+                            : 0.15 * static_cast<double>(n) / std::max(1.0, static_cast<double>(count - 1));
     static constexpr double kPhase[] = {0, 0.05, 0.3, 0.6, 0.8, 0.95};
     progress_.fraction = std::max(progress_.fraction, done + share * kPhase[static_cast<int>(progress_.phase)]);
   }
 
   void describe() {
     const SceneDef& scene = simulation_.scene();
-    result_.scheme = scene.bond == "none" ? "corrected nodal SPH, no bonds"
-                                          : "VB-GPD: selective virtual bonds, reconstructed from the published introduction";
+    result_.scheme = scene.bond == "none"
+                         ? "corrected nodal SPH, no bonds"
+                         : "VB-GPD: selective virtual bonds, reconstructed from the published introduction";
     bool cutoff = false, dilates = false, associated = true;
     for (const MaterialDef& m : scene.materials) {
       cutoff |= !std::isnan(m.tension_cutoff) && m.tension_cutoff > 0;
@@ -128,10 +133,17 @@ class StrengthReductionJob final : public SliceJob {
   void give_up(const GridSearch& search) {
     result_.reason = search.reason();
     switch (search.end()) {
-      case SearchEnd::kBelowMin: result_.status = "BELOW_MIN", outcome_ = Status::kNotConverged; break;
-      case SearchEnd::kAboveMax: result_.status = "ABOVE_MAX", outcome_ = Status::kNotConverged; break;
-      case SearchEnd::kDiverged: result_.status = "DIVERGED", outcome_ = Status::kDiverged; break;
-      default: result_.status = "NOT_CONVERGED", outcome_ = Status::kNotConverged;
+      case SearchEnd::kBelowMin:
+        result_.status = "BELOW_MIN", outcome_ = Status::kNotConverged;
+        break;
+      case SearchEnd::kAboveMax:
+        result_.status = "ABOVE_MAX", outcome_ = Status::kNotConverged;
+        break;
+      case SearchEnd::kDiverged:
+        result_.status = "DIVERGED", outcome_ = Status::kDiverged;
+        break;
+      default:
+        result_.status = "NOT_CONVERGED", outcome_ = Status::kNotConverged;
     }
   }
 
@@ -155,11 +167,13 @@ class StrengthReductionJob final : public SliceJob {
     const Vec2 misfit = simulation_.section().lattice.misfit;
     if (misfit.maxCoeff() > 0.1) {
       result_.error_estimate = std::max(result_.error_estimate, difference + 3 * half);
-      result_.reason += "; key lines lie up to " + format(misfit.maxCoeff(), 2) + " of a coarse cell off the cell edges, so the estimate is widened";
+      result_.reason += "; key lines lie up to " + format(misfit.maxCoeff(), 2) +
+                        " of a coarse cell off the cell edges, so the estimate is widened";
     }
   }
 
-  /// With spacings 2, sqrt 2 and 1 first order means (FS2 - FS1.41)/(FS1.41 - FS1) = sqrt 2; otherwise no extrapolation.
+  /// With spacings 2, sqrt 2 and 1 first order means (FS2 - FS1.41)/(FS1.41 - FS1) = sqrt 2; otherwise no
+  /// extrapolation.
   void check_order(const std::vector<double>& factors, double fine, double difference, double half) {
     const double first = factors[0] - factors[1], second = factors[1] - factors[2];
     const double noise = 2 * half;
@@ -179,6 +193,8 @@ class StrengthReductionJob final : public SliceJob {
 
 }  // namespace
 
-std::unique_ptr<Job> make_strength_reduction(Simulation& simulation) { return std::make_unique<StrengthReductionJob>(simulation); }
+std::unique_ptr<Job> make_strength_reduction(Simulation& simulation) {
+  return std::make_unique<StrengthReductionJob>(simulation);
+}
 
 }  // namespace vbgpd

@@ -9,9 +9,7 @@ namespace vbgpd {
 
 namespace {
 
-double wall_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 constexpr std::int64_t kWindow = 10;  // steps between two looks
@@ -22,22 +20,25 @@ Stopwatch::Stopwatch() : wall_(wall_now()), cpu_(cpu_now()) {}
 double Stopwatch::wall() const { return wall_now() - wall_; }
 double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 
-/// The first two signals of a failure: unbalanced force on a plateau, displacement growing and not slowing down, over one response
-/// time without a restart of the momentum (a restart means that the forces turned against the motion).
+/// The first two signals of a failure: unbalanced force on a plateau, displacement growing and not slowing down, over
+/// one response time without a restart of the momentum (a restart means that the forces turned against the motion).
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
   const auto span = static_cast<std::size_t>(std::max<std::int64_t>(4, response_ / kWindow));
   if (history.size() <= span || last.since_restart < response_) return false;
-  const Window &now = history.back(), &half = history[history.size() - 1 - span / 2], &then = history[history.size() - 1 - span];
+  const Window &now = history.back(), &half = history[history.size() - 1 - span / 2],
+               &then = history[history.size() - 1 - span];
   trial.unbalanced_force_slope = then.ratio > 0 && now.ratio > 0 ? std::log(now.ratio / then.ratio) : 0;
   trial.displacement_growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
-  const bool plateau = trial.unbalanced_force_slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
-  const bool grows = trial.displacement_growth > rules_.growth && now.displacement - half.displacement >= half.displacement - then.displacement;
+  const bool plateau =
+      trial.unbalanced_force_slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
+  const bool grows = trial.displacement_growth > rules_.growth &&
+                     now.displacement - half.displacement >= half.displacement - then.displacement;
   return plateau && grows && last.power_ratio < 1;
 }
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {
   const Stopwatch watch;
-  const std::int64_t limit = rules_.step_limit > 0 ? rules_.step_limit : 100 * response_;
+  const std::int64_t limit = rules_.step_limit > 0 ? rules_.step_limit : 30 * response_;
   const RelaxOptions options;
   const double factor = trial.strength_reduction_factor;
   std::vector<Window> history;
@@ -66,7 +67,8 @@ Slices TrialRun::run(Trial& trial, Progress& progress) {
     }
     // the third signal is looked at once the first two have held for a quarter of a response time more
     if (!failing(history, r, trial)) before.reset();
-    else if (!before) before = instant(simulation_), band_due = trial.steps + std::max<std::int64_t>(2 * kWindow, response_ / 4);
+    else if (!before)
+      before = instant(simulation_), band_due = trial.steps + std::max<std::int64_t>(2 * kWindow, response_ / 4);
     else if (trial.steps >= band_due) {
       trial.band_connected = band_connected(simulation_, *before, instant(simulation_));
       if (trial.band_connected) {

@@ -9,12 +9,13 @@ namespace vbgpd {
 
 /// Thresholds of a verdict. Ratios of forces, steps and displacements only: nothing has a dimension.
 struct TrialRules {
-  double equilibrium = 1e-5;      ///< stable: unbalanced force ratio below this ...
-  int equilibrium_windows = 5;    ///< ... in so many windows of ten steps on end
-  double plateau_slope = -0.1;    ///< failed: ln R fell by less than this over a response time ...
-  double plateau_level = 3;       ///< ... and R stays above so many times `equilibrium`
-  double growth = 0.02;           ///< failed: u_max grew by this share of its elastic value over a response time, not slower than before
-  std::int64_t step_limit = 0;    ///< then undecided; 0 = 100 response times
+  double equilibrium = 1e-5;    ///< stable: unbalanced force ratio below this ...
+  int equilibrium_windows = 5;  ///< ... in so many windows of ten steps on end
+  double plateau_slope = -0.1;  ///< failed: ln R fell by less than this over a response time ...
+  double plateau_level = 3;     ///< ... and R stays above so many times `equilibrium`
+  double growth =
+      0.02;  ///< failed: u_max grew by this share of its elastic value over a response time, not slower than before
+  std::int64_t step_limit = 0;  ///< then undecided; 0 = 30 response times
 };
 
 /// Runs a simulation at its present strength reduction factor from its present state.

@@ -40,14 +40,23 @@ enum class Status : std::int32_t {
 
 /// What an issue is about. Same numbers as VBGPD_OBJECT_* in vbgpd.h.
 enum class ObjectKind : std::int32_t {
-  kNone = 0, kContext = 1, kProfile = 2, kMaterial = 3, kLayer = 4, kLoad = 5, kBoundary = 6, kModel = 7, kJob = 8
+  kNone = 0,
+  kContext = 1,
+  kProfile = 2,
+  kMaterial = 3,
+  kLayer = 4,
+  kLoad = 5,
+  kBoundary = 6,
+  kModel = 7,
+  kJob = 8
 };
 
 enum class Severity : std::int32_t { kWarning = 0, kError = 1 };
 
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// One fault: which object, which vertex, where, which value, and in `text` a whole sentence that says what would be right.
+/// One fault: which object, which vertex, where, which value, and in `text` a whole sentence that says what would be
+/// right.
 struct Issue {
   Severity severity = Severity::kError;
   Status status = Status::kArgument;

@@ -1,7 +1,8 @@
-// A pack: as many doubles as one vector register holds, worked on in lockstep. The same law code runs on double and on Pack.
+// A pack: as many doubles as one vector register holds, worked on in lockstep. The same law code runs on double and on
+// Pack.
 //
-// The files of step/ that use packs are compiled once per instruction set (see step/CMakeLists.txt), each time in another inline
-// namespace, so that no function built for a newer processor can be linked into the portable path.
+// The files of step/ that use packs are compiled once per instruction set (see step/CMakeLists.txt), each time in
+// another inline namespace, so that no function built for a newer processor can be linked into the portable path.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Workers that live only inside a call. Work is cut into chunks whose number never depends on the thread count, and chunk results
-// are combined in chunk order: same bits for any number of threads.
+// Workers that live only inside a call. Work is cut into chunks whose number never depends on the thread count, and
+// chunk results are combined in chunk order: same bits for any number of threads.
 #pragma once
 
 #include <memory>
@@ -27,12 +27,14 @@ class Workers {
     Workers& workers_;
   };
 
-  /// Calls f(k) for k = first, first + stride, ... < chunks; which thread does which chunk is not determined, what it does is.
+  /// Calls f(k) for k = first, first + stride, ... < chunks; which thread does which chunk is not determined, what it
+  /// does is.
   template <class F>
   void run(int first, int stride, int chunks, F&& f) {
     using Function = std::remove_reference_t<F>;
-    run_erased(first, stride, chunks, [](void* context, int k) { (*static_cast<Function*>(context))(k); },
-               const_cast<void*>(static_cast<const void*>(&f)));
+    run_erased(
+        first, stride, chunks, [](void* context, int k) { (*static_cast<Function*>(context))(k); },
+        const_cast<void*>(static_cast<const void*>(&f)));
   }
   int threads() const;
 

@@ -1,4 +1,5 @@
-// Numbers and small vectors. Tension is positive everywhere in core; SI units; angles in radians inside, degrees in a scene.
+// Numbers and small vectors. Tension is positive everywhere in core; SI units; angles in radians inside, degrees in a
+// scene.
 #pragma once
 
 #include <Eigen/Core>

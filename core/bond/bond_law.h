@@ -1,4 +1,5 @@
-// The list of bond laws: how two particles act on each other. Their passes over the bonds are in step/ (bonds.h, particles.h).
+// The list of bond laws: how two particles act on each other. Their passes over the bonds are in step/ (bonds.h,
+// particles.h).
 #pragma once
 
 #include <optional>
@@ -17,7 +18,8 @@ inline std::optional<BondLaw> bond_law_by_name(std::string_view name) {
   return std::nullopt;
 }
 
-/// Elastic modulus of a bond that joins two materials. Its strength: simulation/build_model.cpp, rule and measurement in README.md.
+/// Elastic modulus of a bond that joins two materials. Its strength: simulation/build_model.cpp, rule and measurement
+/// in README.md.
 inline double joined(double a, double b) { return 0.5 * (a + b); }
 
 }  // namespace vbgpd

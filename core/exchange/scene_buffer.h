@@ -10,7 +10,8 @@
 namespace vbgpd {
 
 /// A scene from bytes of a flatbuffer. The bytes are size-limited, verified and copied, never trusted, never aliased.
-/// Converts the units written in the buffer ("SI" or "kPa") to SI. Throws Error(kFormat) with a sentence that says what is wrong.
+/// Converts the units written in the buffer ("SI" or "kPa") to SI. Throws Error(kFormat) with a sentence that says what
+/// is wrong.
 SceneDef scene_from_flatbuffer(std::span<const std::uint8_t> bytes);
 
 /// The same scene as bytes, always in SI.

@@ -7,9 +7,9 @@
 
 namespace vbgpd {
 
-/// Every geometric fault of a scene, found with exact predicates on the coordinates as given: exterior or layer not simple
-/// (which edges cross, where), repeated or collinear-degenerate vertices, zero area, layer wholly outside the exterior,
-/// boundary polyline that touches nothing, load off the ground surface, soil left without a material.
+/// Every geometric fault of a scene, found with exact predicates on the coordinates as given: exterior or layer not
+/// simple (which edges cross, where), repeated or collinear-degenerate vertices, zero area, layer wholly outside the
+/// exterior, boundary polyline that touches nothing, load off the ground surface, soil left without a material.
 /// Warnings: a layer partly outside, a layer wholly painted over.
 std::vector<Issue> check_geometry(const SceneDef& scene);
 

@@ -1,4 +1,5 @@
-// Return to a cone sqrt(J2) + 3 alpha m = k with a cap on the mean stress: the algorithm behind Drucker-Prager, undrained and elastic.
+// Return to a cone sqrt(J2) + 3 alpha m = k with a cap on the mean stress: the algorithm behind Drucker-Prager,
+// undrained and elastic.
 #pragma once
 
 #include "material/constants.h"
@@ -44,7 +45,9 @@ struct Cone {
     const auto sheared = root_j2 > zero;
     const R ratio = select(sheared & yields, root_new / select(sheared, root_j2, R{} + 1.0), R{} + 1.0);
     const R dilated = dilation * select(apex, root_j2 / shear, lambda);
-    return {{trial.xx * ratio, trial.yy * ratio, trial.xy * ratio, select(yields, m_new, trial.m)}, select(yields, dilated, zero), true};
+    return {{trial.xx * ratio, trial.yy * ratio, trial.xy * ratio, select(yields, m_new, trial.m)},
+            select(yields, dilated, zero),
+            true};
   }
 };
 

@@ -1,4 +1,5 @@
-// Return to the Mohr-Coulomb planes with a tension cut-off, in principal stresses: main plane, two edges, apex, cut-off.
+// Return to the Mohr-Coulomb planes with a tension cut-off, in principal stresses: main plane, two edges, apex,
+// cut-off.
 #pragma once
 
 #include <array>
@@ -12,7 +13,8 @@ inline namespace VBGPD_ISA {
 /// Principal stresses, largest (most tensile) first.
 using Principal = std::array<double, 3>;
 
-/// The general return of one sorted principal trial stress; every regime (method 4.4; de Souza Neto et al. 2008, ch. 8).
+/// The general return of one sorted principal trial stress; every regime (method 4.4; de Souza Neto et al. 2008, ch.
+/// 8).
 class HexagonReturn {
  public:
   explicit HexagonReturn(const LawConstants& c)
@@ -80,7 +82,8 @@ class HexagonReturn {
     }
     if (s[2] > t_) s = {t_, t_, t_};
     if (!(yield(s, 0, 2) > 0)) return s;
-    // corner: sigma_1 = t and the shear plane; the minor stress follows from yield, the intermediate one from both flows
+    // corner: sigma_1 = t and the shear plane; the minor stress follows from yield, the intermediate one from both
+    // flows
     const double minor = (t_ * (1 + sin_phi_) - k_) / (1 - sin_phi_);
     const Principal shear = flow(0, 2), pull = {m, lame, lame};
     const double r1 = trial[0] - t_, r3 = trial[2] - minor, det = shear[0] * pull[2] - pull[0] * shear[2];
@@ -100,10 +103,17 @@ struct Hexagon {
   double shear, bulk, a, b, t, lambda_scale;
   R k;
   VBGPD_INLINE explicit Hexagon(const LawConstants& constants)
-      : c(constants), shear(c.shear_modulus), bulk(c.bulk_modulus), a(c.a), b(c.b), t(c.t),
-        lambda_scale(1 / (4 * c.shear_modulus * (1 + c.a * c.b / 3) + 4 * c.bulk_modulus * c.a * c.b)), k(R{} + c.k) {}
+      : c(constants),
+        shear(c.shear_modulus),
+        bulk(c.bulk_modulus),
+        a(c.a),
+        b(c.b),
+        t(c.t),
+        lambda_scale(1 / (4 * c.shear_modulus * (1 + c.a * c.b / 3) + 4 * c.bulk_modulus * c.a * c.b)),
+        k(R{} + c.k) {}
 
-  /// Closed-form return. The main plane with sigma_zz in the middle is done in lockstep; the rare other regimes lane by lane.
+  /// Closed-form return. The main plane with sigma_zz in the middle is done in lockstep; the rare other regimes lane by
+  /// lane.
   VBGPD_INLINE Returned<R> returned(const Stress<R>& s) const {
     const R zero = R{};
     const R half = (s.xx + s.yy) * 0.5, difference = (s.xx - s.yy) * 0.5;

@@ -1,5 +1,6 @@
-// Soil laws: what a material's parameters mean. Each law says which return algorithm it uses and derives that algorithm's constants.
-// To add one: a struct here with its constants, its name in AnyLaw (any_law.h), and it joins the typed tests.
+// Soil laws: what a material's parameters mean. Each law says which return algorithm it uses and derives that
+// algorithm's constants. To add one: a struct here with its constants, its name in AnyLaw (any_law.h), and it joins the
+// typed tests.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,8 @@ struct Elastic {
   static void derive(const Strength&, LawConstants&) {}
 };
 
-/// Drucker-Prager with the constants that match Mohr-Coulomb in plane strain for the dilatancy angle at hand (method 4.3, row 2):
+/// Drucker-Prager with the constants that match Mohr-Coulomb in plane strain for the dilatancy angle at hand
+/// (method 4.3, row 2):
 ///   alpha_psi = sin psi / sqrt(9 + 3 sin^2 psi),  D = sqrt(1 - 3 alpha_psi^2) + alpha_psi sin phi,
 ///   alpha_phi = sin phi / (3 D),  k = c cos phi / D.
 /// psi = phi gives the classical associated match, psi = 0 gives alpha = sin phi / 3, k = c cos phi.
@@ -59,7 +61,8 @@ struct MohrCoulomb {
   }
 };
 
-/// Undrained clay, phi = 0: sqrt(J2) = c, isochoric; the cone's plane-strain match of Tresca. Cohesion may grow with depth.
+/// Undrained clay, phi = 0: sqrt(J2) = c, isochoric; the cone's plane-strain match of Tresca. Cohesion may grow with
+/// depth.
 struct Undrained {
   static constexpr std::string_view name = "undrained";
   static constexpr ReturnAlgorithm algorithm = ReturnAlgorithm::kCone;

@@ -20,7 +20,8 @@ struct Stress {
 template <class R>
 struct Returned {
   Stress<R> stress;
-  R dilated;  ///< plastic volumetric strain of dilatant shear, >= 0; opening in tension is the particle's (step/gradient.h)
+  R dilated;  ///< plastic volumetric strain of dilatant shear, >= 0; opening in tension is the particle's
+              ///< (step/gradient.h)
   bool any;   ///< true when at least one lane yielded
 };
 

@@ -38,11 +38,11 @@ enum class BoundaryKind { kFree, kFixed, kRoller, kVelocity };
 
 /// How a piece of the outline is held. Either `side` or `polyline` is given.
 struct BoundaryDef {
-  std::string name;      ///< optional
-  std::string side;      ///< "base", "left", "right", or empty when a polyline is given
-  Polygon polyline;      ///< points along the exterior, >= 2
+  std::string name;  ///< optional
+  std::string side;  ///< "base", "left", "right", or empty when a polyline is given
+  Polygon polyline;  ///< points along the exterior, >= 2
   BoundaryKind kind = BoundaryKind::kFixed;
-  double vx = 0, vy = 0; ///< m/s, kVelocity only
+  double vx = 0, vy = 0;  ///< m/s, kVelocity only
 };
 
 /// Vertical pressure on the ground surface between x0 and x1, linear from pressure to pressure_end (Pa, down positive).
@@ -57,7 +57,7 @@ struct PublishedValue {
 };
 
 struct StrengthReductionDef {
-  double srf_min = 0.1;      ///< search range of the strength reduction factor
+  double srf_min = 0.1;  ///< search range of the strength reduction factor
   double srf_max = 20;
   double tolerance = 0.005;  ///< width of the bracket asked for
 };

@@ -8,8 +8,9 @@
 namespace vbgpd {
 
 /// All problems of a scene, errors and warnings, in the order the user wrote things. Empty = none.
-/// Errors: missing, not finite or out of range values, unknown names, too few vertices. Warnings: implausible values, each
-/// naming the unit slip that would explain it (unit weight 20 in SI is probably kN/m3; friction angle 0.35 is probably radians).
+/// Errors: missing, not finite or out of range values, unknown names, too few vertices. Warnings: implausible values,
+/// each naming the unit slip that would explain it (unit weight 20 in SI is probably kN/m3; friction angle 0.35 is
+/// probably radians).
 std::vector<Issue> validate(const SceneDef& scene);
 
 /// True when any issue is an error.

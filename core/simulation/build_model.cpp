@@ -23,7 +23,8 @@ Strength strength_of(const MaterialDef& m, Real spacing) {
   return s;
 }
 
-/// A bond between two materials is as strong as the weaker of them at the stress level of the section (core/bond/README.md).
+/// A bond between two materials is as strong as the weaker of them at the stress level of the section
+/// (core/bond/README.md).
 Strength joined_strength(const Strength& a, const Strength& b, Real stress) {
   const auto strength = [&](const Strength& s) { return s.cohesion + stress * std::tan(s.friction_angle); };
   Strength s = strength(a) <= strength(b) ? a : b;
@@ -89,9 +90,11 @@ void find_features(const SceneDef& scene, const Section& section, Model& m) {
 
 void build_masses(const SceneDef& scene, const Section& section, Model& m) {
   const auto n = static_cast<std::size_t>(m.storage);
-  for (Array* a : {&m.force_x, &m.force_y, &m.free_x, &m.free_y, &m.mass}) a->allocate(n, static_cast<int>(a - &m.force_x) + 2);
+  for (Array* a : {&m.force_x, &m.force_y, &m.free_x, &m.free_y, &m.mass})
+    a->allocate(n, static_cast<int>(a - &m.force_x) + 2);
   if (m.features.cohesion_gradient) m.extra_cohesion.allocate(n, 9);
-  // Weightless soil still needs inertia for dynamic steps: a weight that the loads would balance over the section's height.
+  // Weightless soil still needs inertia for dynamic steps: a weight that the loads would balance over the section's
+  // height.
   Real heaviest = 0, load = 0;
   for (const MaterialDef& d : scene.materials) heaviest = std::max(heaviest, d.unit_weight);
   for (const LoadDef& l : scene.loads) load = std::max({load, std::fabs(l.pressure), std::fabs(l.pressure_end)});
@@ -144,7 +147,8 @@ std::vector<LawConstants> pair_constants(const Model& m, Real factor, bool elast
   std::vector<LawConstants> constants(m.pair_law.size());
   for (std::size_t p = 0; p < constants.size(); ++p) {
     LawConstants& c = constants[p];
-    if (!elastic) std::visit([&](auto law) { decltype(law)::derive(reduced(m.pair_strength[p], factor), c); }, m.pair_law[p]);
+    if (!elastic)
+      std::visit([&](auto law) { decltype(law)::derive(reduced(m.pair_strength[p], factor), c); }, m.pair_law[p]);
     c.shear_modulus = m.pair_elastic[p].shear_modulus;
     c.bulk_modulus = m.pair_elastic[p].bulk_modulus;
   }

@@ -10,9 +10,9 @@ namespace vbgpd {
 /// `width` lanes per pack. The scene is valid (validate, check_geometry).
 Model build_model(const SceneDef& scene, const Section& section, int width);
 
-/// Cohesion a frictional soil has at least, Pa: the surface layer of a cohesionless soil has no confinement of its own, and a single
-/// particle would roll off at any factor. A share of one layer's weight; it vanishes with the spacing, and the extrapolation over
-/// two grids takes it out at first order.
+/// Cohesion a frictional soil has at least, Pa: the surface layer of a cohesionless soil has no confinement of its own,
+/// and a single particle would roll off at any factor. A share of one layer's weight; it vanishes with the spacing, and
+/// the extrapolation over two grids takes it out at first order.
 Real least_cohesion(const MaterialDef& material, Real spacing);
 
 /// Index reach of the support in lattice cells: how many wall cells a boundary needs.

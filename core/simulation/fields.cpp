@@ -17,7 +17,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr FieldInfo kFields[] = {
     {"position", "m", "present position x, y", kParticle, kReal, 2},
-    {"reference_position", "m", "position x, y in the undeformed section (centre of the lattice cell)", kParticle, kReal, 2},
+    {"reference_position", "m", "position x, y in the undeformed section (centre of the lattice cell)", kParticle,
+     kReal, 2},
     {"displacement", "m", "displacement x, y since creation", kParticle, kReal, 2},
     {"velocity", "m s-1", "velocity x, y (per pseudo-time after a quasi-static job)", kParticle, kReal, 2},
     {"stress", "Pa", "Cauchy stress xx, yy, zz, xy, tension positive", kParticle, kReal, 4},
@@ -58,8 +59,12 @@ constexpr NamedValue kValues[] = {
     {"elastic_energy", "J", "per metre run", 0, 0, kInf, false, false},
     {"plastic_dissipation", "J", "by dynamic steps, per metre run", 0, 0, kInf, false, false},
     {"damping_dissipation", "J", "by dynamic steps, per metre run", 0, 0, kInf, false, false},
-    {"external_work", "J", "of weight, seismic force and loads in dynamic steps, per metre run", 0, -kInf, kInf, false, false},
-    {"energy_residual", "1", "external work - kinetic - elastic - dissipated, relative to the largest of them (velocities brought to the time of the displacements)", 0, 0, kInf, false, false},
+    {"external_work", "J", "of weight, seismic force and loads in dynamic steps, per metre run", 0, -kInf, kInf, false,
+     false},
+    {"energy_residual", "1",
+     "external work - kinetic - elastic - dissipated, relative to the largest of them (velocities brought to the time "
+     "of the displacements)",
+     0, 0, kInf, false, false},
 };
 
 }  // namespace

@@ -46,7 +46,9 @@ class Columns {
   /// Storage index a cell would have, also a little outside its column; -1 when there is no such column.
   std::int32_t index(Index column, Index cell) const {
     const Index c = column - first_;
-    if (c < 0 || c >= static_cast<Index>(low_.size()) || high_[static_cast<std::size_t>(c)] < low_[static_cast<std::size_t>(c)]) return -1;
+    if (c < 0 || c >= static_cast<Index>(low_.size()) ||
+        high_[static_cast<std::size_t>(c)] < low_[static_cast<std::size_t>(c)])
+      return -1;
     return start_[static_cast<std::size_t>(c)] + cell - low_[static_cast<std::size_t>(c)];
   }
   /// True when cells cell .. cell + width - 1 of a column touch what the column holds.
@@ -75,7 +77,8 @@ struct LatticeOffset {
 };
 
 /// Offsets within the support 2h, forward ones (higher storage index) first, nearest first; then their opposites.
-std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& lattice, const AnyKernel& kernel, Real h, Model& m) {
+std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& lattice, const AnyKernel& kernel, Real h,
+                                        Model& m) {
   const Real minor_spacing = columns.along_x() ? lattice.spacing.x() : lattice.spacing.y();
   const Real major_spacing = columns.along_x() ? lattice.spacing.y() : lattice.spacing.x();
   std::vector<LatticeOffset> forward;
@@ -186,24 +189,28 @@ std::uint16_t pair_of(const Model& m, std::int32_t i, std::int32_t j) {
 }
 
 /// One pack per pair of materials among the bonds between block `i` and `j`; all share one record.
-void add_packs(const Occupancy& who, std::int32_t i, std::int32_t j, std::uint8_t offset, std::vector<BondPack>& packs, Model& m) {
+void add_packs(const Occupancy& who, std::int32_t i, std::int32_t j, std::uint8_t offset, std::vector<BondPack>& packs,
+               Model& m) {
   std::map<std::uint16_t, std::uint8_t> pairs;
   int occupied = 0;
   for (int l = 0; l < m.width; ++l) {
     if (who.occupied(i + l) && who.occupied(j + l)) ++occupied;
-    if (i == j ? who.occupied(i + l) : who.joined(i + l, j + l)) pairs[pair_of(m, i + l, j + l)] |= static_cast<std::uint8_t>(1u << l);
+    if (i == j ? who.occupied(i + l) : who.joined(i + l, j + l))
+      pairs[pair_of(m, i + l, j + l)] |= static_cast<std::uint8_t>(1u << l);
   }
   for (const auto& [pair, lanes] : pairs) {
     const int shown = __builtin_popcount(lanes);
     if (i != j) m.bonds += shown;
-    packs.push_back({i, j, static_cast<std::int32_t>(m.slots), pair, offset, shown == occupied ? std::uint8_t{0xff} : lanes});
+    packs.push_back(
+        {i, j, static_cast<std::int32_t>(m.slots), pair, offset, shown == occupied ? std::uint8_t{0xff} : lanes});
   }
   if (!pairs.empty()) ++m.slots;
 }
 
 int algorithm_of_pack(const Model& m, const BondPack& p) { return static_cast<int>(algorithm_of(m.pair_law[p.pair])); }
 
-/// Chunks of whole blocks, each longer than the reach of a bond, so that packs of chunk c write to chunks c and c + 1 only.
+/// Chunks of whole blocks, each longer than the reach of a bond, so that packs of chunk c write to chunks c and c + 1
+/// only.
 void build_chunks(Model& m) {
   constexpr std::int32_t kLeast = 1024;  // particles: enough work for one turn of a thread
   std::vector<BondPack> packs;
@@ -220,7 +227,8 @@ void build_chunks(Model& m) {
     chunk.blocks_end = static_cast<std::int32_t>(b);
     const std::int32_t end = b < m.blocks.size() ? m.blocks[b].first : static_cast<std::int32_t>(m.storage);
     for (auto& s : sorted) s.clear();
-    for (; next < m.packs.size() && m.packs[next].i < end; ++next) sorted[algorithm_of_pack(m, m.packs[next])].push_back(m.packs[next]);
+    for (; next < m.packs.size() && m.packs[next].i < end; ++next)
+      sorted[algorithm_of_pack(m, m.packs[next])].push_back(m.packs[next]);
     for (int a = 0; a < 2; ++a) {
       chunk.packs_begin[a] = static_cast<std::int32_t>(packs.size());
       packs.insert(packs.end(), sorted[a].begin(), sorted[a].end());

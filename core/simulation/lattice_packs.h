@@ -6,8 +6,9 @@
 
 namespace vbgpd {
 
-/// Fills everything of `m` that follows from the lattice: numbering, offsets, blocks, neighbours, packs, chunks, volume, share,
-/// moments, scaled_mass. `h` is the smoothing length, m. Needs m.width, m.features and the materials' pair tables.
+/// Fills everything of `m` that follows from the lattice: numbering, offsets, blocks, neighbours, packs, chunks,
+/// volume, share, moments, scaled_mass. `h` is the smoothing length, m. Needs m.width, m.features and the materials'
+/// pair tables.
 void build_packs(const Section& section, const AnyKernel& kernel, Real h, Model& m);
 
 }  // namespace vbgpd

@@ -16,8 +16,8 @@ struct LatticeSaved final : SavedState {
   std::int64_t steps = 0, since_restart = 0;
 };
 
-/// Fraction of 2 / omega_max that is used. A relaxation step right after a restart is plain descent, stable below 1/sqrt(2); what the
-/// power iteration may still miss of omega_max comes off that.
+/// Fraction of 2 / omega_max that is used. A relaxation step right after a restart is plain descent, stable below
+/// 1/sqrt(2); what the power iteration may still miss of omega_max comes off that.
 constexpr Real kStepMargin = 0.68;
 
 }  // namespace
@@ -43,7 +43,8 @@ void LatticeSimulation::set_factor(Real factor) {
   if (!dilation_cap_.present()) dilation_cap_.allocate(static_cast<std::size_t>(model_.storage), 12);
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_.storage); ++i) {
     if (model_.seed_of[i] < 0) continue;
-    const LawConstants& c = constants_[static_cast<std::size_t>(model_.material[i] * model_.materials + model_.material[i])];
+    const LawConstants& c =
+        constants_[static_cast<std::size_t>(model_.material[i] * model_.materials + model_.material[i])];
     dilation_cap_[i] = c.t / c.bulk_modulus;
   }
 }
@@ -51,7 +52,8 @@ void LatticeSimulation::set_factor(Real factor) {
 StepData LatticeSimulation::data(State& s, Scratch& t) const {
   StepData d{};
   const Model& m = model_;
-  d.offsets = m.offsets.data(), d.packs = m.packs.data(), d.neighbours = m.neighbours.data(), d.blocks = m.blocks.data();
+  d.offsets = m.offsets.data(), d.packs = m.packs.data(), d.neighbours = m.neighbours.data(),
+  d.blocks = m.blocks.data();
   d.chunks = m.chunks.data(), d.chunk_count = static_cast<int>(m.chunks.size());
   d.guided = m.guided.data(), d.guided_count = static_cast<int>(m.guided.size());
   d.volume = m.volume.data(), d.share = m.share.data();
@@ -59,9 +61,11 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.force_x = m.force_x.data(), d.force_y = m.force_y.data(), d.free_x = m.free_x.data(), d.free_y = m.free_y.data();
   d.extra_cohesion = m.extra_cohesion.data(), d.material = m.material.data(), d.materials = m.materials;
   d.uses_algorithm[0] = m.features.has_algorithm[0], d.uses_algorithm[1] = m.features.has_algorithm[1];
-  d.ux = s.displacement_x.data(), d.uy = s.displacement_y.data(), d.vx = s.velocity_x.data(), d.vy = s.velocity_y.data();
+  d.ux = s.displacement_x.data(), d.uy = s.displacement_y.data(), d.vx = s.velocity_x.data(),
+  d.vy = s.velocity_y.data();
   d.plastic_volume = s.plastic_volume.data(), d.plastic_strain = s.plastic_strain.data();
-  d.lxx = t.gradient_xx.data(), d.lxy = t.gradient_xy.data(), d.lyx = t.gradient_yx.data(), d.lyy = t.gradient_yy.data();
+  d.lxx = t.gradient_xx.data(), d.lxy = t.gradient_xy.data(), d.lyx = t.gradient_yx.data(),
+  d.lyy = t.gradient_yy.data();
   d.dilation = t.dilation.data();
   d.zxx = t.flux_xx.data(), d.zxy = t.flux_xy.data(), d.zyx = t.flux_yx.data(), d.zyy = t.flux_yy.data();
   d.px = t.pair_force_x.data(), d.py = t.pair_force_y.data(), d.volume_source = t.volume_source.data();
@@ -124,7 +128,8 @@ Real LatticeSimulation::highest_frequency(const Array& mass) const {
     StepData d = data(x, scratch_);
     d.force_x = d.force_y = zero_.data();
     d.guided_count = 0;
-    (model_.features.bond != BondLaw::kNone ? kernels_.selective : kernels_.none)(d, c, workers_, partial_.data(), sums);
+    (model_.features.bond != BondLaw::kNone ? kernels_.selective : kernels_.none)(d, c, workers_, partial_.data(),
+                                                                                  sums);
     Real image = 0;
     for (std::size_t i = 0; i < n; ++i)
       image += mass[i] * (x.velocity_x[i] * x.velocity_x[i] + x.velocity_y[i] * x.velocity_y[i]);
@@ -177,7 +182,8 @@ StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* 
   c.dilation_cap = dilation_cap_.data();
   c.cohesion_scale = 1 / factor_;
   c.ledger = true;
-  // A particle that outruns the waves has left the method; the state of at most kKeep steps before is the last good one.
+  // A particle that outruns the waves has left the method; the state of at most kKeep steps before is the last good
+  // one.
   constexpr std::int64_t kKeep = 64;
   const Real runaway = 4 / (c.time_step * c.time_step) * section_.lattice.spacing.squaredNorm();
   State kept = state_;
@@ -244,7 +250,8 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
   const Real runaway = 1e4 * section_.lattice.spacing.norm() + 1e6 * displacement_scale();
   for (std::int64_t n = 0; n < steps; ++n) {
     // Nesterov-like momentum, dropped when the forces turn against the motion
-    c.momentum = options.local_damping > 0 ? 1 : static_cast<Real>(since_restart_) / static_cast<Real>(since_restart_ + 3);
+    c.momentum =
+        options.local_damping > 0 ? 1 : static_cast<Real>(since_restart_) / static_cast<Real>(since_restart_ + 3);
     run_step(state_, scratch_, c, sums);
     ++since_restart_;
     if (options.local_damping == 0 && sums.power < 0) since_restart_ = 0;

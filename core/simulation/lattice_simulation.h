@@ -65,11 +65,11 @@ class LatticeSimulation final : public Simulation {
   Model model_;
   State state_;
   mutable Scratch scratch_;
-  mutable State probe_;              // copy of the state for evaluations
+  mutable State probe_;  // copy of the state for evaluations
   mutable std::vector<Sums> partial_;
   mutable Workers workers_;
-  Array dilation_cap_;               // mean stress at the tension cut-off over K, at the present factor
-  Array zero_;                       // all zero: mobility of an evaluation
+  Array dilation_cap_;  // mean stress at the tension cut-off over K, at the present factor
+  Array zero_;          // all zero: mobility of an evaluation
   Array dynamic_mobility_x_, dynamic_mobility_y_, relaxing_mobility_x_, relaxing_mobility_y_;
   mutable Real dynamic_frequency_ = 0, relaxing_frequency_ = 0;
   std::vector<LawConstants> constants_, elastic_constants_;

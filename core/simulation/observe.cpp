@@ -2,8 +2,8 @@
 
 namespace vbgpd {
 
-ParticleFields particle_fields(const Model& m, const State& s, const Scratch& scratch, const std::vector<LawConstants>& constants,
-                               Real cohesion_scale) {
+ParticleFields particle_fields(const Model& m, const State& s, const Scratch& scratch,
+                               const std::vector<LawConstants>& constants, Real cohesion_scale) {
   const auto n = static_cast<std::size_t>(m.storage);
   ParticleFields out;
   std::vector<Real> weight(n, 0);
@@ -21,7 +21,8 @@ ParticleFields particle_fields(const Model& m, const State& s, const Scratch& sc
   });
   for (std::size_t i = 0; i < n; ++i) {
     if (!(weight[i] > 0)) continue;
-    for (auto* v : {&out.xx, &out.yy, &out.zz, &out.xy, &out.plastic_strain, &out.plastic_fraction}) (*v)[i] /= weight[i];
+    for (auto* v : {&out.xx, &out.yy, &out.zz, &out.xy, &out.plastic_strain, &out.plastic_fraction})
+      (*v)[i] /= weight[i];
   }
   return out;
 }
@@ -45,7 +46,8 @@ std::int64_t plastic_bonds(const Model& m, const State& s) {
     for (int l = 0; l < m.width; ++l) {
       const auto i = static_cast<std::size_t>(p.i + l), j = static_cast<std::size_t>(p.j + l);
       if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
-      const std::size_t r = 3 * (bonded ? w * static_cast<std::size_t>(p.slot) : static_cast<std::size_t>(p.i)) + static_cast<std::size_t>(l);
+      const std::size_t r = 3 * (bonded ? w * static_cast<std::size_t>(p.slot) : static_cast<std::size_t>(p.i)) +
+                            static_cast<std::size_t>(l);
       if (s.plastic_strain[r] != 0 || s.plastic_strain[r + w] != 0 || s.plastic_strain[r + 2 * w] != 0) ++count;
     }
   return count;

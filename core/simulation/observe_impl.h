@@ -41,15 +41,18 @@ void for_each_bond(const Model& m, const State& s, const Scratch& scratch, const
       if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
       const Offset& o = m.offsets[p.offset];
       LawConstants c = constants[p.pair];
-      if (m.extra_cohesion.present()) c.k += (m.extra_cohesion[i] + m.extra_cohesion[j]) / 2 * cohesion_scale * c.k_per_cohesion;
+      if (m.extra_cohesion.present())
+        c.k += (m.extra_cohesion[i] + m.extra_cohesion[j]) / 2 * cohesion_scale * c.k_per_cohesion;
       ObservedBond b;
       b.i = p.i + l, b.j = p.j + l;
-      b.record = 3 * (bonded ? w * static_cast<std::size_t>(p.slot) : static_cast<std::size_t>(p.i)) + static_cast<std::size_t>(l);
+      b.record = 3 * (bonded ? w * static_cast<std::size_t>(p.slot) : static_cast<std::size_t>(p.i)) +
+                 static_cast<std::size_t>(l);
       b.volume = bonded ? o.weight * (m.volume[i] * m.share[j] + m.share[i] * m.volume[j]) : m.volume[i];
       b.shear_modulus = c.shear_modulus, b.bulk_modulus = c.bulk_modulus;
       Real pxx = 0, pyy = 0, pxy = 0;
       if (s.plastic_strain.present())
-        pxx = s.plastic_strain[b.record], pyy = s.plastic_strain[b.record + w], pxy = s.plastic_strain[b.record + 2 * w];
+        pxx = s.plastic_strain[b.record], pyy = s.plastic_strain[b.record + w],
+        pxy = s.plastic_strain[b.record + 2 * w];
       const observe_detail::Strain e = observe_detail::strain(s, scratch, o, i, j);
       const Real third = (e.xx + e.yy) / 3, twice = 2 * c.shear_modulus;
       const Stress<Real> trial{twice * (e.xx - third - pxx), twice * (e.yy - third - pyy), twice * (e.xy - pxy),

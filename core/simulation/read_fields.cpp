@@ -32,11 +32,13 @@ void LatticeSimulation::read_particles(int field, std::vector<double>& out) cons
     const auto i = static_cast<std::size_t>(model_.storage_of[k]);
     double* row = out.data() + static_cast<std::size_t>(model_.id_of[k]) * components;
     const Vec2 reference = section_.lattice.center(seed.ix, seed.iy);
-    if (name == "position") row[0] = reference.x() + state_.displacement_x[i], row[1] = reference.y() + state_.displacement_y[i];
+    if (name == "position")
+      row[0] = reference.x() + state_.displacement_x[i], row[1] = reference.y() + state_.displacement_y[i];
     if (name == "reference_position") row[0] = reference.x(), row[1] = reference.y();
     if (name == "displacement") row[0] = state_.displacement_x[i], row[1] = state_.displacement_y[i];
     if (name == "velocity") row[0] = state_.velocity_x[i], row[1] = state_.velocity_y[i];
-    if (name == "stress") row[0] = averages.xx[i], row[1] = averages.yy[i], row[2] = averages.zz[i], row[3] = averages.xy[i];
+    if (name == "stress")
+      row[0] = averages.xx[i], row[1] = averages.yy[i], row[2] = averages.zz[i], row[3] = averages.xy[i];
     if (name == "plastic_strain") row[0] = averages.plastic_strain[i];
     if (name == "plastic_bond_fraction") row[0] = averages.plastic_fraction[i];
     if (name == "volume") row[0] = seed.volume;

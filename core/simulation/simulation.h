@@ -1,4 +1,5 @@
-// The run-time face of the engine: a scene compiled into particles and bonds, stepped and read. The only door for analysis and capi.
+// The run-time face of the engine: a scene compiled into particles and bonds, stepped and read. The only door for
+// analysis and capi.
 #pragma once
 
 #include <atomic>
@@ -40,16 +41,16 @@ struct NamedValue {
 std::span<const NamedValue> named_values();
 
 struct CompileOptions {
-  int threads = 1;                  ///< results do not depend on it
-  std::int64_t max_particles = 0;   ///< 0 = no limit
-  Real spacing_factor = 1;          ///< spacing aimed at, times the scene's
-  int lattice_multiple = 2;         ///< key lines are asked to fall on every that many-th cell edge
-  int coarsening = 1;               ///< then the cells are made this many times larger
+  int threads = 1;                 ///< results do not depend on it
+  std::int64_t max_particles = 0;  ///< 0 = no limit
+  Real spacing_factor = 1;         ///< spacing aimed at, times the scene's
+  int lattice_multiple = 2;        ///< key lines are asked to fall on every that many-th cell edge
+  int coarsening = 1;              ///< then the cells are made this many times larger
 };
 
 struct StepReport {
   std::int64_t steps = 0;
-  Status status = Status::kOk;      ///< kOk, kCancelled or kDiverged (then the state is that of the last good step)
+  Status status = Status::kOk;  ///< kOk, kCancelled or kDiverged (then the state is that of the last good step)
 };
 
 /// Monitors of the present state.
@@ -60,11 +61,12 @@ struct Monitors {
   std::int64_t plastic_bonds = 0;
 };
 
-/// One run of quasi-static relaxation steps (momentum with restart, masses proportional to stiffness; method 4.10, speed notes).
+/// One run of quasi-static relaxation steps (momentum with restart, masses proportional to stiffness; method 4.10,
+/// speed notes).
 struct RelaxOptions {
-  bool elastic = false;        ///< strengths left out
-  double local_damping = 0;    ///< > 0: local damping instead of momentum, the slow and careful reference
-  double time_step_factor = 1; ///< of the stable step with its margin
+  bool elastic = false;         ///< strengths left out
+  double local_damping = 0;     ///< > 0: local damping instead of momentum, the slow and careful reference
+  double time_step_factor = 1;  ///< of the stable step with its margin
   bool ledger = false;
 };
 struct RelaxReport {
@@ -86,7 +88,8 @@ class SavedState {
 
 class Simulation {
  public:
-  /// Checks the scene (validate + check_geometry), throws Error whose text lists every error; then builds model and state.
+  /// Checks the scene (validate + check_geometry), throws Error whose text lists every error; then builds model and
+  /// state.
   static std::unique_ptr<Simulation> compile(const SceneDef& scene, const CompileOptions& options);
   virtual ~Simulation() = default;
 
@@ -108,8 +111,9 @@ class Simulation {
   virtual Real displacement_scale() const = 0;  ///< gamma H^2 / E: unit of the displacement level
   virtual Real elastic_energy() const = 0;      ///< J per metre run
 
-  virtual double get(std::string_view name) const = 0;         ///< throws Error(kUnknownName)
-  virtual void set(std::string_view name, double value) = 0;   ///< throws Error(kUnknownName), Error(kRange), Error(kState)
+  virtual double get(std::string_view name) const = 0;  ///< throws Error(kUnknownName)
+  virtual void set(std::string_view name,
+                   double value) = 0;  ///< throws Error(kUnknownName), Error(kRange), Error(kState)
 
   /// All items of a field, packed rows, by particle id or bond by bond.
   virtual void read(int field, std::vector<double>& out) const = 0;

@@ -1,4 +1,5 @@
-// Model: everything that never changes after compile. State: everything that does. Scratch: what a step writes before it reads.
+// Model: everything that never changes after compile. State: everything that does. Scratch: what a step writes before
+// it reads.
 #pragma once
 
 #include <cstdint>
@@ -24,49 +25,51 @@ struct Features {
 
 struct Model {
   // lattice, offsets
-  int width = 4;                     ///< lanes of a pack
-  std::int64_t storage = 0;          ///< length of particle arrays, padding included
-  std::vector<Offset> offsets;       ///< forward ones first, then the opposites
+  int width = 4;                ///< lanes of a pack
+  std::int64_t storage = 0;     ///< length of particle arrays, padding included
+  std::vector<Offset> offsets;  ///< forward ones first, then the opposites
   int forward_offsets = 0;
   // lists
   std::vector<Block> blocks;
   std::vector<NeighbourPack> neighbours;
   std::vector<BondPack> packs;
   std::vector<Chunk> chunks;
-  std::int64_t slots = 0;            ///< bond records of `width` lanes each
+  std::int64_t slots = 0;  ///< bond records of `width` lanes each
   std::vector<GuidedParticle> guided;
   Features features;
   // particle arrays [storage]
-  Array volume;                      ///< m2; 0 in padding
-  Array share;                       ///< V_i / omega0_i, m4
+  Array volume;                           ///< m2; 0 in padding
+  Array share;                            ///< V_i / omega0_i, m4
   Array moment_xx, moment_xy, moment_yy;  ///< M_i^-1 of VB1, m-2... per particle
-  Array force_x, force_y;            ///< external force: weight, seismic, surface loads, N
-  Array free_x, free_y;              ///< 1 where the particle may move, 0 where a wall holds it
-  Array mass;                        ///< true mass, kg
-  Array scaled_mass;                 ///< mass of the quasi-static relaxation, proportional to the stiffness around the particle
-  Array extra_cohesion;              ///< present with a cohesion gradient: Pa above the material's cohesion
-  std::vector<std::int32_t> material;     ///< per storage index, -1 = padding
+  Array force_x, force_y;                 ///< external force: weight, seismic, surface loads, N
+  Array free_x, free_y;                   ///< 1 where the particle may move, 0 where a wall holds it
+  Array mass;                             ///< true mass, kg
+  Array scaled_mass;     ///< mass of the quasi-static relaxation, proportional to the stiffness around the particle
+  Array extra_cohesion;  ///< present with a cohesion gradient: Pa above the material's cohesion
+  std::vector<std::int32_t> material;  ///< per storage index, -1 = padding
   // bookkeeping between seeds and storage
-  std::vector<std::int32_t> seed_of;      ///< storage -> seed, -1 = padding
-  std::vector<std::int32_t> storage_of;   ///< seed -> storage
-  std::vector<std::int32_t> id_of;        ///< seed -> particle id (soil first, then walls)
+  std::vector<std::int32_t> seed_of;     ///< storage -> seed, -1 = padding
+  std::vector<std::int32_t> storage_of;  ///< seed -> storage
+  std::vector<std::int32_t> id_of;       ///< seed -> particle id (soil first, then walls)
   // materials
   int materials = 0;
-  std::vector<AnyLaw> pair_law;           ///< [materials x materials]
-  std::vector<Strength> pair_strength;    ///< unreduced
-  std::vector<LawConstants> pair_elastic; ///< moduli only
+  std::vector<AnyLaw> pair_law;            ///< [materials x materials]
+  std::vector<Strength> pair_strength;     ///< unreduced
+  std::vector<LawConstants> pair_elastic;  ///< moduli only
   // scales
-  Real height = 0, stress_scale = 0, force_scale = 0, stiffness = 0;  ///< H, gamma H or q, sum |f_ext|, largest Young's modulus
+  Real height = 0, stress_scale = 0, force_scale = 0,
+       stiffness = 0;  ///< H, gamma H or q, sum |f_ext|, largest Young's modulus
   std::int64_t particles = 0, soil_particles = 0, bonds = 0;
   std::size_t bytes() const;
 };
 
-/// Everything that changes. `for_each_array` is the ONE list of its arrays: it serves memory count, copy, hash and checkpoint.
+/// Everything that changes. `for_each_array` is the ONE list of its arrays: it serves memory count, copy, hash and
+/// checkpoint.
 struct State {
   Array displacement_x, displacement_y;  ///< m
   Array velocity_x, velocity_y;          ///< m/s (relaxation: m per pseudo-time)
-  Array plastic_volume;                  ///< theta^p, plastic volumetric strain of a particle; absent when no law dilates
-  Array plastic_strain;                  ///< [slots x 3 x width] (or particles) xx, yy, xy; absent when nothing yields
+  Array plastic_volume;  ///< theta^p, plastic volumetric strain of a particle; absent when no law dilates
+  Array plastic_strain;  ///< [slots x 3 x width] (or particles) xx, yy, xy; absent when nothing yields
 
   template <class S, class F>
   static void for_each_array(S& s, F&& f) {
@@ -88,7 +91,7 @@ struct Scratch {
   Array dilation;                                            ///< elastic volumetric strain tr L_i - theta^p_i
   Array flux_xx, flux_xy, flux_yx, flux_yy;                  ///< V_i S_i of VB5, then Z_i = V_i S_i M_i^-1 / V_i
   Array pair_force_x, pair_force_y;                          ///< sum of B_ij s_ij n_ij / r
-  Array volume_source;                                       ///< volume that turned plastic in this step; absent like plastic_volume
+  Array volume_source;  ///< volume that turned plastic in this step; absent like plastic_volume
   void allocate(const Model& m);
   std::size_t bytes() const;
 };

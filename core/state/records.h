@@ -1,5 +1,5 @@
-// The lists of a model: particles sit on a lattice, numbered column by column (columns run along the short side), so that `width`
-// consecutive particles and one lattice offset make one pack of bonds. Plain data, no containers.
+// The lists of a model: particles sit on a lattice, numbered column by column (columns run along the short side), so
+// that `width` consecutive particles and one lattice offset make one pack of bonds. Plain data, no containers.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,8 @@ struct BondPack {
   std::int32_t slot = 0;      ///< record of the bonds' plastic strain
   std::uint16_t pair = 0;     ///< material pair, index into the table of law constants
   std::uint8_t offset = 0;    ///< index into the forward offsets
-  std::uint8_t lanes = 0xff;  ///< bit l: lane l is a bond of this pack; 0xff: nothing to hide (absent ones have no volume)
+  std::uint8_t lanes =
+      0xff;  ///< bit l: lane l is a bond of this pack; 0xff: nothing to hide (absent ones have no volume)
 };
 
 /// A neighbour pack seen from one side: for the sums over all neighbours of a particle.
@@ -44,7 +45,7 @@ struct Chunk {
 /// A wall particle that slides along a wall (roller) or is moved (prescribed velocity).
 struct GuidedParticle {
   std::int32_t particle = 0;
-  std::int32_t prescribed = 0;             ///< 1: moves with (x, y) m/s; 0: may not move along the normal (x, y)
+  std::int32_t prescribed = 0;  ///< 1: moves with (x, y) m/s; 0: may not move along the normal (x, y)
   double x = 0, y = 0;
 };
 

@@ -27,8 +27,10 @@ VBGPD_INLINE BondStrain bond_strain(const StepData& d, const Offset& o, int i, i
 
 /// Cohesion that grows with depth is added to the strength of the pair.
 template <class LawOnPacks>
-VBGPD_INLINE void add_cohesion(LawOnPacks& law, const StepData& d, const Controls& controls, const LawConstants& c, int i, int j) {
-  const Pack extra = (load(d.extra_cohesion + i) + load(d.extra_cohesion + j)) * (0.5 * controls.cohesion_scale * c.k_per_cohesion);
+VBGPD_INLINE void add_cohesion(LawOnPacks& law, const StepData& d, const Controls& controls, const LawConstants& c,
+                               int i, int j) {
+  const Pack extra =
+      (load(d.extra_cohesion + i) + load(d.extra_cohesion + j)) * (0.5 * controls.cohesion_scale * c.k_per_cohesion);
   law.k += extra;
 }
 
@@ -52,7 +54,8 @@ VBGPD_INLINE void add_source(const StepData& d, int first, Pack source) {
 
 /// One pack of bonds: VB3-VB5. Returns its sums; plastic strain is updated in place, plastic work booked where asked.
 template <template <class> class Law, bool kLedger>
-VBGPD_INLINE BondSums bond_pack(const StepData& d, const Controls& controls, const BondPack& pack, double& plastic_work) {
+VBGPD_INLINE BondSums bond_pack(const StepData& d, const Controls& controls, const BondPack& pack,
+                                double& plastic_work) {
   const Offset& o = d.offsets[pack.offset];
   const int i = pack.i, j = pack.j;
   const LawConstants& constants = controls.constants[pack.pair];
@@ -66,7 +69,8 @@ VBGPD_INLINE BondSums bond_pack(const StepData& d, const Controls& controls, con
   double* const record = d.plastic_strain == nullptr ? nullptr : d.plastic_strain + 3l * kWidth * pack.slot;
   Pack pxx{}, pyy{}, pxy{};
   if (record != nullptr) pxx = load(record), pyy = load(record + kWidth), pxy = load(record + 2 * kWidth);
-  const Stress<Pack> trial{twice_shear * (e.xx - third - pxx), twice_shear * (e.yy - third - pyy), twice_shear * (e.xy - pxy),
+  const Stress<Pack> trial{twice_shear * (e.xx - third - pxx), twice_shear * (e.yy - third - pyy),
+                           twice_shear * (e.xy - pxy),
                            (0.5 * law.bulk) * (load(d.dilation + i) + load(d.dilation + j))};
   const Returned<Pack> r = law.returned(trial);
   const Stress<Pack>& s = r.stress;
@@ -79,11 +83,13 @@ VBGPD_INLINE BondSums bond_pack(const StepData& d, const Controls& controls, con
   BondSums sums;
   if (r.any && record != nullptr) {  // elastic bonds write nothing
     const Pack compliance = select(half > Pack{}, Pack{} + 1.0 / twice_shear, Pack{});
-    const Pack dxx = (trial.xx - s.xx) * compliance, dyy = (trial.yy - s.yy) * compliance, dxy = (trial.xy - s.xy) * compliance;
+    const Pack dxx = (trial.xx - s.xx) * compliance, dyy = (trial.yy - s.yy) * compliance,
+               dxy = (trial.xy - s.xy) * compliance;
     store(record, pxx + dxx), store(record + kWidth, pyy + dyy), store(record + 2 * kWidth, pxy + dxy);
     if (law.b > 0) sums.source = half * r.dilated;
     if constexpr (kLedger)
-      plastic_work += lane_sum(bond_volume * (s.xx * (2.0 * dxx + dyy) + s.yy * (2.0 * dyy + dxx) + 2.0 * s.xy * dxy + s.m * r.dilated));
+      plastic_work += lane_sum(
+          bond_volume * (s.xx * (2.0 * dxx + dyy) + s.yy * (2.0 * dyy + dxx) + 2.0 * s.xy * dxy + s.m * r.dilated));
   }
 
   // VB5: V_i S_i = sum_j B_ij/2 [ s (I - n n^T) + m I ],  pair force B_ij s n / r
@@ -97,7 +103,8 @@ VBGPD_INLINE BondSums bond_pack(const StepData& d, const Controls& controls, con
 
 /// All packs of one return algorithm in a chunk.
 /// in  u, L, dilation   in/out  plastic_strain   out  V_i S_i (added), pair force (added), volume_source (added)
-/// Returns the plastic work of this step where the ledger is kept. Linear momentum is exact: every pair force has its opposite.
+/// Returns the plastic work of this step where the ledger is kept. Linear momentum is exact: every pair force has its
+/// opposite.
 template <template <class> class Law, bool kLedger>
 inline double bond_pass(const StepData& shared, const Controls& controls, const Chunk& chunk) {
   const StepData d = shared;  // a copy nobody else can see: its pointers stay in registers across stores

@@ -8,15 +8,16 @@
 namespace vbgpd {
 inline namespace VBGPD_ISA {
 
-/// Z_i = V_i S_i M_i^-1 / V_i, so that V_i S_i Phi_ij - V_j S_j Phi_ji = omega_ij V_i V_j (Z_i + Z_j) xi_ij and Phi is never stored.
-/// Also turns this step's plastic volume into plastic volumetric strain of the particle.
+/// Z_i = V_i S_i M_i^-1 / V_i, so that V_i S_i Phi_ij - V_j S_j Phi_ji = omega_ij V_i V_j (Z_i + Z_j) xi_ij and Phi is
+/// never stored. Also turns this step's plastic volume into plastic volumetric strain of the particle.
 inline void flux_pass(const StepData& shared, const Chunk& chunk) {
   const StepData d = shared;
   for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
     const int i = d.blocks[b].first;
     const Pack volume = load(d.volume + i);
     const Pack inverse = 1.0 / select(volume > Pack{}, volume, Pack{} + 1.0);
-    const Pack mxx = load(d.moment_xx + i) * inverse, mxy = load(d.moment_xy + i) * inverse, myy = load(d.moment_yy + i) * inverse;
+    const Pack mxx = load(d.moment_xx + i) * inverse, mxy = load(d.moment_xy + i) * inverse,
+               myy = load(d.moment_yy + i) * inverse;
     const Pack sxx = load(d.zxx + i), sxy = load(d.zxy + i), syx = load(d.zyx + i), syy = load(d.zyy + i);
     store(d.zxx + i, sxx * mxx + sxy * mxy), store(d.zxy + i, sxx * mxy + sxy * myy);
     store(d.zyx + i, syx * mxx + syy * mxy), store(d.zyy + i, syx * mxy + syy * myy);
@@ -64,8 +65,10 @@ inline Sums move_pass(const StepData& shared, const Controls& shared_controls, c
     external_power += ex * vx + ey * vy;
     // local damping (FLAC): f_d = -alpha |f| sgn v
     const Pack zero{};
-    const Pack dx = -c.local_damping * magnitude(fx) * (select(vx > zero, zero + 1.0, zero) - select(vx < zero, zero + 1.0, zero));
-    const Pack dy = -c.local_damping * magnitude(fy) * (select(vy > zero, zero + 1.0, zero) - select(vy < zero, zero + 1.0, zero));
+    const Pack dx =
+        -c.local_damping * magnitude(fx) * (select(vx > zero, zero + 1.0, zero) - select(vx < zero, zero + 1.0, zero));
+    const Pack dy =
+        -c.local_damping * magnitude(fy) * (select(vy > zero, zero + 1.0, zero) - select(vy < zero, zero + 1.0, zero));
     const Pack nx = c.momentum * vx + c.time_step * load(c.mobility_x + i) * (fx + dx);
     const Pack ny = c.momentum * vy + c.time_step * load(c.mobility_y + i) * (fy + dy);
     const Pack ux = load(d.ux + i) + c.time_step * nx, uy = load(d.uy + i) + c.time_step * ny;
@@ -78,8 +81,9 @@ inline Sums move_pass(const StepData& shared, const Controls& shared_controls, c
       external += ex * mx + ey * my, internal += ix * mx + iy * my, damping += dx * mx + dy * my;
     }
   }
-  return {lane_sum(unbalanced),    lane_sum(power),    lane_sum(external_power), lane_max(displacement2),
-          lane_max(velocity2), lane_sum(external), lane_sum(internal),       lane_sum(damping), 0};
+  return {lane_sum(unbalanced),    lane_sum(power),     lane_sum(external_power),
+          lane_max(displacement2), lane_max(velocity2), lane_sum(external),
+          lane_sum(internal),      lane_sum(damping),   0};
 }
 
 }  // namespace VBGPD_ISA

@@ -8,9 +8,10 @@
 namespace vbgpd {
 inline namespace VBGPD_ISA {
 
-/// Mean stress above the tension cut-off (or the apex) opens the particle: theta^p grows at once. Handing such volume to neighbours
-/// through the bonds, as dilatancy is, would pump energy into those under pressure (measured: cohesionless faces blow up).
-/// in  u [n] m, plastic_volume [n]   out  L [n], dilation = tr L - theta^p [n]; sums of VB5 set to zero
+/// Mean stress above the tension cut-off (or the apex) opens the particle: theta^p grows at once. Handing such volume
+/// to neighbours through the bonds, as dilatancy is, would pump energy into those under pressure (measured:
+/// cohesionless faces blow up). in  u [n] m, plastic_volume [n]   out  L [n], dilation = tr L - theta^p [n]; sums of
+/// VB5 set to zero
 inline void gradient_pass(const StepData& shared, const Controls& c, const Chunk& chunk) {
   const StepData d = shared;  // its pointers stay in registers across stores
   const Pack zero{};

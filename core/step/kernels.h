@@ -1,4 +1,5 @@
-// The step, built once per instruction set from the same source; the best one this processor has is chosen once per process.
+// The step, built once per instruction set from the same source; the best one this processor has is chosen once per
+// process.
 #pragma once
 
 #include <span>
@@ -12,9 +13,9 @@ namespace vbgpd {
 using StepFunction = void (*)(const StepData&, const Controls&, Workers&, Sums* partial, Sums& sums);
 
 struct Kernels {
-  std::string_view isa;       ///< "x86-64-v2", "x86-64-v3", "x86-64-v4", "portable"
-  int width;                  ///< lanes of a pack
-  bool supported;             ///< by this processor
+  std::string_view isa;  ///< "x86-64-v2", "x86-64-v3", "x86-64-v4", "portable"
+  int width;             ///< lanes of a pack
+  bool supported;        ///< by this processor
   StepFunction selective, selective_ledger, none, none_ledger;
 };
 

@@ -9,8 +9,9 @@ namespace vbgpd {
 
 extern const StepFunction VBGPD_JOIN(kStepTable_, VBGPD_ISA)[4];
 
-const StepFunction VBGPD_JOIN(kStepTable_, VBGPD_ISA)[4] = {
-    &step<SelectiveVirtualBonds, false>, &step<SelectiveVirtualBonds, true>, &step<NoBonds, false>, &step<NoBonds, true>};
+const StepFunction VBGPD_JOIN(kStepTable_, VBGPD_ISA)[4] = {&step<SelectiveVirtualBonds, false>,
+                                                            &step<SelectiveVirtualBonds, true>, &step<NoBonds, false>,
+                                                            &step<NoBonds, true>};
 extern const int VBGPD_JOIN(kStepWidth_, VBGPD_ISA);
 const int VBGPD_JOIN(kStepWidth_, VBGPD_ISA) = kWidth;
 

@@ -14,15 +14,20 @@ inline namespace VBGPD_ISA {
 /// Bonds of a chunk: strain rate split, trial stress, return to the yield surface, plastic mark, stress sums (VB3-VB5).
 struct SelectiveVirtualBonds {
   template <template <class> class Law, bool kLedger>
-  static double pass(const StepData& d, const Controls& c, const Chunk& chunk) { return bond_pass<Law, kLedger>(d, c, chunk); }
+  static double pass(const StepData& d, const Controls& c, const Chunk& chunk) {
+    return bond_pass<Law, kLedger>(d, c, chunk);
+  }
 };
 /// No bonds: the particles themselves yield.
 struct NoBonds {
   template <template <class> class Law, bool kLedger>
-  static double pass(const StepData& d, const Controls& c, const Chunk& chunk) { return particle_pass<Law, kLedger>(d, c, chunk); }
+  static double pass(const StepData& d, const Controls& c, const Chunk& chunk) {
+    return particle_pass<Law, kLedger>(d, c, chunk);
+  }
 };
 
-/// The whole step. Chunks run in any order on any thread and are summed in their own order: same bits for any thread count.
+/// The whole step. Chunks run in any order on any thread and are summed in their own order: same bits for any thread
+/// count.
 template <class Bonds, bool kLedger>
 void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial, Sums& sums) {
   const int chunks = d.chunk_count;
@@ -53,7 +58,8 @@ void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial,
   for (int k = 0; k < chunks; ++k) {
     const Sums& s = partial[k];
     sums.unbalanced += s.unbalanced, sums.power += s.power, sums.external_power += s.external_power;
-    sums.displacement2 = larger(sums.displacement2, s.displacement2), sums.velocity2 = larger(sums.velocity2, s.velocity2);
+    sums.displacement2 = larger(sums.displacement2, s.displacement2),
+    sums.velocity2 = larger(sums.velocity2, s.velocity2);
     sums.external_work += s.external_work, sums.internal_work += s.internal_work;
     sums.damping_work += s.damping_work, sums.plastic_work += s.plastic_work;
   }

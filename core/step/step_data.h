@@ -11,23 +11,23 @@ namespace vbgpd {
 /// What drives a step: it changes between steps, never inside one.
 struct Controls {
   double time_step = 0;
-  double momentum = 1;        ///< b: velocity kept from the last step (1 = true dynamics, < 1 = relaxation)
-  double local_damping = 0;   ///< alpha of f_d = -alpha |f| sgn v
+  double momentum = 1;                 ///< b: velocity kept from the last step (1 = true dynamics, < 1 = relaxation)
+  double local_damping = 0;            ///< alpha of f_d = -alpha |f| sgn v
   const double* mobility_x = nullptr;  ///< 1/m, 0 where held
   const double* mobility_y = nullptr;
   const LawConstants* constants = nullptr;  ///< per material pair, at the present strength reduction factor
-  const double* dilation_cap = nullptr;  ///< largest elastic volumetric strain of a particle; null = none
-  double cohesion_scale = 1;  ///< 1/F, for cohesion that grows with depth
-  bool ledger = false;        ///< book works and dissipation
+  const double* dilation_cap = nullptr;     ///< largest elastic volumetric strain of a particle; null = none
+  double cohesion_scale = 1;                ///< 1/F, for cohesion that grows with depth
+  bool ledger = false;                      ///< book works and dissipation
 };
 
 /// Sums of one step, combined in chunk order.
 struct Sums {
-  double unbalanced = 0;       ///< sum |f_x| + |f_y| over what may move, N
-  double power = 0;            ///< sum f . v
-  double external_power = 0;   ///< sum f_ext . v
-  double displacement2 = 0;    ///< max |u|^2
-  double velocity2 = 0;        ///< max |v|^2
+  double unbalanced = 0;      ///< sum |f_x| + |f_y| over what may move, N
+  double power = 0;           ///< sum f . v
+  double external_power = 0;  ///< sum f_ext . v
+  double displacement2 = 0;   ///< max |u|^2
+  double velocity2 = 0;       ///< max |v|^2
   double external_work = 0, internal_work = 0, damping_work = 0, plastic_work = 0;  ///< this step, J; only with ledger
 };
 
@@ -41,7 +41,8 @@ struct StepData {
   int chunk_count;
   const GuidedParticle* guided;
   int guided_count;
-  const double *volume, *share, *moment_xx, *moment_xy, *moment_yy, *force_x, *force_y, *free_x, *free_y, *extra_cohesion;
+  const double *volume, *share, *moment_xx, *moment_xy, *moment_yy, *force_x, *force_y, *free_x, *free_y,
+      *extra_cohesion;
   const std::int32_t* material;
   int materials;
   bool uses_algorithm[2];

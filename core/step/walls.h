@@ -6,7 +6,8 @@
 namespace vbgpd {
 inline namespace VBGPD_ISA {
 
-/// Prescribed walls move with their velocity; rollers lose the velocity across the wall (u follows in the same proportion).
+/// Prescribed walls move with their velocity; rollers lose the velocity across the wall (u follows in the same
+/// proportion).
 inline void guide_walls(const StepData& d, const Controls& c) {
   for (int n = 0; n < d.guided_count; ++n) {
     const GuidedParticle& g = d.guided[n];

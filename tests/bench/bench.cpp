@@ -1,4 +1,5 @@
-// Step cost from 1e3 to 1e6 particles, and the factor of safety of Griffiths & Lane's example 1. CPU time of one thread.
+// Step cost from 1e3 to 1e6 particles, and the factor of safety of Griffiths & Lane's example 1. CPU time of one
+// thread.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -39,9 +40,18 @@ void step_cost(benchmark::State& state, const char* bond, const char* law) {
   state.counters["particle_steps_per_second"] =
       benchmark::Counter(count * static_cast<double>(steps), benchmark::Counter::kIsIterationInvariantRate);
 }
-BENCHMARK_CAPTURE(step_cost, virtual_bond_drucker_prager, "virtual_bond", "drucker_prager")->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(step_cost, virtual_bond_mohr_coulomb, "virtual_bond", "mohr_coulomb")->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(step_cost, none_drucker_prager, "none", "drucker_prager")->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step_cost, virtual_bond_drucker_prager, "virtual_bond", "drucker_prager")
+    ->RangeMultiplier(10)
+    ->Range(1000, 1000000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step_cost, virtual_bond_mohr_coulomb, "virtual_bond", "mohr_coulomb")
+    ->RangeMultiplier(10)
+    ->Range(1000, 1000000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step_cost, none_drucker_prager, "none", "drucker_prager")
+    ->RangeMultiplier(10)
+    ->Range(1000, 1000000)
+    ->Unit(benchmark::kMillisecond);
 
 /// Factor of safety of example 1 on one grid, bracket 0.005, verified; range = particles per slope height.
 void factor_of_safety(benchmark::State& state, const char* law, int levels) {
@@ -60,8 +70,14 @@ void factor_of_safety(benchmark::State& state, const char* law, int levels) {
   }
   state.counters["factor_of_safety"] = found;
 }
-BENCHMARK_CAPTURE(factor_of_safety, one_grid_drucker_prager, "drucker_prager", 1)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(factor_of_safety, two_grids_drucker_prager, "drucker_prager", 2)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(factor_of_safety, one_grid_drucker_prager, "drucker_prager", 1)
+    ->Arg(20)
+    ->Arg(40)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(factor_of_safety, two_grids_drucker_prager, "drucker_prager", 2)
+    ->Arg(20)
+    ->Arg(40)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(factor_of_safety, one_grid_mohr_coulomb, "mohr_coulomb", 1)->Arg(20)->Unit(benchmark::kMillisecond);
 
 }  // namespace

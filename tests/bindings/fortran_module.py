@@ -26,7 +26,8 @@ def _declaration(statement):
 class Module:
     """What is declared, by name.
 
-    constants: name -> (kind, value); types: name -> [(member, kind, value)]; functions: name -> ([(dummy, kind)], result)
+    constants: name -> (kind, value); types: name -> [(member, kind, value)];
+    functions: name -> ([(dummy, kind)], result)
     """
 
     def __init__(self, text):

@@ -67,7 +67,8 @@ contains
     integer(c_int32_t), intent(in) :: status
     type(vbgpd_error_info), intent(in) :: info
     call say(what // " " // num32(status) // ": status " // num32(info%status) // " kind " // &
-             num32(info%object_kind) // " id " // num(info%object_id) // " item " // num(info%item) // " at" // hexes([info%x, info%y]) // &
+             num32(info%object_kind) // " id " // num(info%object_id) // &
+             " item " // num(info%item) // " at" // hexes([info%x, info%y]) // &
              " value " // hex(info%value) // ": " // text)
   end subroutine say_info
 
@@ -167,7 +168,8 @@ contains
       name = vbgpd_text(f%name)
       s = vbgpd_field_find(name, len(name, c_int64_t), found)
       call say("04 field " // num32(found) // " " // name // " [" // vbgpd_text(f%unit) // "] type " // &
-               num32(f%type) // " at " // num32(f%location) // " of " // num32(f%components) // ": " // vbgpd_text(f%doc))
+               num32(f%type) // " at " // num32(f%location) // &
+               " of " // num32(f%components) // ": " // vbgpd_text(f%doc))
     end do
   end subroutine step_tables
 

@@ -119,11 +119,13 @@ TEST(EnergyBalance, ClosesThroughPlasticFailure) {
   ASSERT_EQ(s->step(4000, nullptr).status, Status::kOk);
   EXPECT_GT(s->get("plastic_dissipation"), 0);
   EXPECT_GT(s->get("damping_dissipation"), 0);
-  // plastic work is booked with the stress at the end of each step, which is first order in the step: measured 6.7e-3 here
+  // plastic work is booked with the stress at the end of each step, which is first order in the step: measured 6.7e-3
+  // here
   EXPECT_LE(s->get("energy_residual"), 1e-2);
 }
 
-/// Largest departure of the vertical stress from -gamma (H - y) over gamma H, rows from `first` to the one `first` below the top.
+/// Largest departure of the vertical stress from -gamma (H - y) over gamma H, rows from `first` to the one `first`
+/// below the top.
 Real column_noise(const char* bond, int first) {
   SceneDef scene = test::block(test::soil("elastic", 0, 0), 10, 10, 0.5);
   scene.bond = bond;
@@ -175,7 +177,8 @@ TEST(SurfaceLoads, HaveTheirExactTotal) {
 TEST(Mass, EqualsAreaTimesDensity) {
   for (double spacing : {2.0, 0.7, 0.31}) {
     auto s = Simulation::compile(test::slope(test::soil("elastic", 0, 0), spacing), {});
-    EXPECT_NEAR(s->get("total_mass"), 220 * 20e3 / 9.81, 1e-12 * 220 * 20e3);  // area of the section: 12 x 10 + 20 x 10 / 2
+    EXPECT_NEAR(s->get("total_mass"), 220 * 20e3 / 9.81,
+                1e-12 * 220 * 20e3);  // area of the section: 12 x 10 + 20 x 10 / 2
   }
 }
 

@@ -1,4 +1,5 @@
-// The fast step equals the plain one: every law, bond law, kernel and instruction set, with walls, layers, loads and cut bonds.
+// The fast step equals the plain one: every law, bond law, kernel and instruction set, with walls, layers, loads and
+// cut bonds.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -29,10 +30,12 @@ const std::vector<Variant>& variants() {
       {"drucker-prager", [](SceneDef&) {}},
       {"dilatant", [](SceneDef& s) { s.materials[0].dilatancy_angle = 20; }},
       {"mohr-coulomb", [](SceneDef& s) { s.materials[0].law = "mohr_coulomb"; }},
-      {"dilatant mohr-coulomb with cut-off", [](SceneDef& s) {
+      {"dilatant mohr-coulomb with cut-off",
+       [](SceneDef& s) {
          s.materials[0].law = "mohr_coulomb", s.materials[0].dilatancy_angle = 10, s.materials[0].tension_cutoff = 500;
        }},
-      {"undrained with gradient", [](SceneDef& s) {
+      {"undrained with gradient",
+       [](SceneDef& s) {
          s.materials[0] = test::soil("undrained", 8e3, 0);
          s.materials[0].cohesion_gradient = 500, s.materials[0].cohesion_datum = 8;
        }},
@@ -40,15 +43,22 @@ const std::vector<Variant>& variants() {
       {"no bonds", [](SceneDef& s) { s.bond = "none"; }},
       {"no bonds, mohr-coulomb", [](SceneDef& s) { s.bond = "none", s.materials[0].law = "mohr_coulomb"; }},
       {"cubic spline", [](SceneDef& s) { s.kernel = "cubic_spline"; }},
-      {"two laws, stiff layer", [](SceneDef& s) {
+      {"two laws, stiff layer",
+       [](SceneDef& s) {
          MaterialDef clay = test::soil("undrained", 6e3, 0);
          clay.name = "clay", clay.young_modulus = 5e8;
          s.materials[0].law = "mohr_coulomb";
          s.materials.push_back(clay);
          s.layers.push_back({"clay", {{0, 0}, {30, 0}, {30, 5}, {0, 3}}});
        }},
-      {"seismic and load", [](SceneDef& s) { s.kh = 0.2, s.kv = -0.1, s.loads = {{2, 9, 3e4, 1e4}}; }},
-      {"vertical face", [](SceneDef& s) { s.exterior = {{0, 0}, {30, 0}, {30, 4}, {16, 4}, {16, 12}, {0, 12}}; }},
+      {"seismic and load",
+       [](SceneDef& s) {
+         s.kh = 0.2, s.kv = -0.1, s.loads = {{2, 9, 3e4, 1e4}};
+       }},
+      {"vertical face",
+       [](SceneDef& s) {
+         s.exterior = {{0, 0}, {30, 0}, {30, 4}, {16, 4}, {16, 12}, {0, 12}};
+       }},
   };
   return list;
 }
@@ -60,7 +70,8 @@ void compare(const SceneDef& scene, const Kernels& kernels, const char* name) {
   // relaxation-like steps with plain momentum 0.9: enough plastic flow to touch every branch
   const double dt = 0.5;
   Array mobility_x, mobility_y;
-  mobility_x.allocate(static_cast<std::size_t>(m.storage), 1), mobility_y.allocate(static_cast<std::size_t>(m.storage), 2);
+  mobility_x.allocate(static_cast<std::size_t>(m.storage), 1),
+      mobility_y.allocate(static_cast<std::size_t>(m.storage), 2);
   Real stiffest = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.storage); ++i)
     if (m.seed_of[i] >= 0) {

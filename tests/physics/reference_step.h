@@ -1,5 +1,5 @@
-// The method as plain loops over all pairs, straight from the equations (VB1-VB5, rate-free total form): slow, and the oracle for the
-// fast step. Uses the section's seeds only; shares nothing with core/step but the material laws.
+// The method as plain loops over all pairs, straight from the equations (VB1-VB5, rate-free total form): slow, and the
+// oracle for the fast step. Uses the section's seeds only; shares nothing with core/step but the material laws.
 #pragma once
 
 #include <Eigen/Dense>
@@ -19,7 +19,11 @@ namespace vbgpd::test {
 class ReferenceStep {
  public:
   ReferenceStep(const SceneDef& scene, const Section& section, const Model& model, Real factor)
-      : scene_(scene), section_(section), constants_(pair_constants(model, factor, false)), laws_(model.pair_law), factor_(factor) {
+      : scene_(scene),
+        section_(section),
+        constants_(pair_constants(model, factor, false)),
+        laws_(model.pair_law),
+        factor_(factor) {
     const auto n = section.seeds.size();
     u.assign(n, Vec2::Zero()), v.assign(n, Vec2::Zero()), plastic_volume.assign(n, 0);
     for (const CutPair& c : section.cut_pairs) cut_[{c.a, c.b}] = true;
@@ -30,7 +34,9 @@ class ReferenceStep {
       Mat2 moment = Mat2::Zero();
       Real omega0 = 0;
       for (std::size_t j = 0; j < n; ++j)
-        if (bonded(i, j)) moment += weight(i, j) * volume(j) * (x[j] - x[i]) * (x[j] - x[i]).transpose(), omega0 += weight(i, j) * volume(j);
+        if (bonded(i, j))
+          moment += weight(i, j) * volume(j) * (x[j] - x[i]) * (x[j] - x[i]).transpose(),
+              omega0 += weight(i, j) * volume(j);
       inverse_moment.push_back(moment.inverse());
       omega0_.push_back(omega0);
     }
@@ -78,8 +84,9 @@ class ReferenceStep {
         const Real third = d.trace() / 3, G2 = 2 * c.shear_modulus;  // VB3, VB4
         const Stress<Real> trial{G2 * (d(0, 0) - third - ep[0]), G2 * (d(1, 1) - third - ep[1]), G2 * (d(0, 1) - ep[2]),
                                  c.bulk_modulus * (theta[i] + theta[j]) / 2};
-        const Returned<Real> r_map = algorithm_of(laws_[pair]) == ReturnAlgorithm::kCone ? Cone<Real>(c).returned(trial)
-                                                                                       : Hexagon<Real>(c).returned(trial);
+        const Returned<Real> r_map = algorithm_of(laws_[pair]) == ReturnAlgorithm::kCone
+                                         ? Cone<Real>(c).returned(trial)
+                                         : Hexagon<Real>(c).returned(trial);
         const Stress<Real>& s = r_map.stress;
         ep += Eigen::Vector3d(trial.xx - s.xx, trial.yy - s.yy, trial.xy - s.xy) / G2;
         const Real dilated = r_map.dilated;
@@ -90,7 +97,8 @@ class ReferenceStep {
           source[i] += volume(i) * dilated;
           continue;
         }
-        const Mat2 share = bond_volume / 2 * (deviator * (Mat2::Identity() - normal * normal.transpose()) + s.m * Mat2::Identity());
+        const Mat2 share =
+            bond_volume / 2 * (deviator * (Mat2::Identity() - normal * normal.transpose()) + s.m * Mat2::Identity());
         VS[i] += share, VS[j] += share;  // VB5
         source[i] += bond_volume / 2 * dilated, source[j] += bond_volume / 2 * dilated;
         f[i] += bond_volume * deviator * normal / r, f[j] -= bond_volume * deviator * normal / r;
@@ -109,11 +117,14 @@ class ReferenceStep {
   std::map<std::pair<std::size_t, std::size_t>, Eigen::Vector3d> plastic_strain;
 
  private:
-  Real weight(std::size_t i, std::size_t j) const { return value(*kernel_by_name(scene_.kernel), (x[j] - x[i]).norm(), h_); }
+  Real weight(std::size_t i, std::size_t j) const {
+    return value(*kernel_by_name(scene_.kernel), (x[j] - x[i]).norm(), h_);
+  }
   Vec2 phi(std::size_t i, std::size_t j) const { return volume(j) * weight(i, j) * inverse_moment[i] * (x[j] - x[i]); }
   std::size_t pair_of(std::size_t i, std::size_t j) const {
     const auto a = section_.seeds[i].material, b = section_.seeds[j].material;
-    return static_cast<std::size_t>(std::min(a, b)) * scene_.materials.size() + static_cast<std::size_t>(std::max(a, b));
+    return static_cast<std::size_t>(std::min(a, b)) * scene_.materials.size() +
+           static_cast<std::size_t>(std::max(a, b));
   }
   Real extra_cohesion(std::size_t i) const {
     const MaterialDef& m = scene_.materials[static_cast<std::size_t>(section_.seeds[i].material)];

@@ -11,8 +11,8 @@
             print(job.get("factor_of_safety"), job.slip_surface())
 
 Everything is SI (m, N, Pa, kg, s), angles in degrees, x right, y up, stress positive in tension. A call that fails
-raises Error with the engine's sentence and where the fault is. Objects may be closed in any order, by `with`, by close() or by
-the garbage collector. The package needs numpy and, without being built, the library: see Library.load.
+raises Error with the engine's sentence and where the fault is. Objects may be closed in any order, by `with`, by
+close() or by the garbage collector. The package needs numpy and, without being built, the library: see Library.load.
 """
 import ctypes
 import time
@@ -25,7 +25,8 @@ from ._engine import (Boundary, Error, FieldInfo, Issue, Kind, Library, Location
                       version, version_number)
 
 __all__ = ["Boundary", "Context", "Error", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "Model",
-           "Profile", "Property", "Status", "Verdict", "field", "fields", "properties", "status_name", "version", "version_number"]
+           "Profile", "Property", "Status", "Verdict", "field", "fields", "properties", "status_name", "version",
+           "version_number"]
 
 
 class _Object:

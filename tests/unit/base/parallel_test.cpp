@@ -1,9 +1,10 @@
+#include "base/parallel.h"
+
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "base/array.h"
-#include "base/parallel.h"
 
 namespace vbgpd {
 namespace {

@@ -12,7 +12,8 @@ namespace vbgpd {
 namespace {
 
 Stress<Real> returned(const AnyLaw& law, const LawConstants& c, const Stress<Real>& s) {
-  return algorithm_of(law) == ReturnAlgorithm::kCone ? Cone<Real>(c).returned(s).stress : Hexagon<Real>(c).returned(s).stress;
+  return algorithm_of(law) == ReturnAlgorithm::kCone ? Cone<Real>(c).returned(s).stress
+                                                     : Hexagon<Real>(c).returned(s).stress;
 }
 
 struct PrincipalStress {
@@ -28,7 +29,8 @@ PrincipalStress principal(const Stress<Real>& s) {
 /// f / k of the law's own yield function; <= 0 inside.
 Real yield(const AnyLaw& law, const LawConstants& c, const Stress<Real>& s) {
   if (!yields(law)) return -1;
-  if (algorithm_of(law) == ReturnAlgorithm::kCone) return std::max((std::sqrt(s.j2()) + c.a * s.m - c.k), s.m - c.t) / c.shear_modulus;
+  if (algorithm_of(law) == ReturnAlgorithm::kCone)
+    return std::max((std::sqrt(s.j2()) + c.a * s.m - c.k), s.m - c.t) / c.shear_modulus;
   const PrincipalStress p = principal(s);
   return std::max(p.major - p.minor + (p.major + p.minor) * c.a - c.k, p.major - c.t) / c.shear_modulus;
 }
@@ -43,7 +45,8 @@ class EveryLaw : public testing::Test {
       for (Real psi : {0.0, phi / 2, phi})
         for (Real cutoff : {kInfinity, 2e3, 0.0}) {
           Strength s;
-          s.cohesion = 1e4, s.friction_angle = radians(phi), s.dilatancy_angle = radians(psi), s.tension_cutoff = cutoff;
+          s.cohesion = 1e4, s.friction_angle = radians(phi), s.dilatancy_angle = radians(psi),
+          s.tension_cutoff = cutoff;
           if (std::is_same_v<Law, Undrained> && phi > 0) continue;
           out.push_back(derive(Law{}, 1e8, 0.3, s));
         }
@@ -57,7 +60,8 @@ class EveryLaw : public testing::Test {
       const Real size = std::pow(10.0, 3 + 2 * (u(random) + 1));
       out.push_back({size * u(random), size * u(random), size * u(random), size * u(random)});
     }
-    out.push_back({0, 0, 0, 1e5}), out.push_back({0, 0, 0, -1e5}), out.push_back({0, 0, 0, 0}), out.push_back({0, 0, 5e4, 0});
+    out.push_back({0, 0, 0, 1e5}), out.push_back({0, 0, 0, -1e5}), out.push_back({0, 0, 0, 0}),
+        out.push_back({0, 0, 5e4, 0});
     return out;
   }
 };
@@ -72,7 +76,8 @@ TYPED_TEST_SUITE(EveryLaw, Types<AnyLaw>::Listed);
 
 TYPED_TEST(EveryLaw, ReturnsToTheYieldSurface) {
   for (const LawConstants& c : this->soils())
-    for (const auto& s : this->trials()) EXPECT_LE(yield(TypeParam{}, c, returned(TypeParam{}, c, s)), 1e-12 + 1e-12 * 1e5 / c.shear_modulus);
+    for (const auto& s : this->trials())
+      EXPECT_LE(yield(TypeParam{}, c, returned(TypeParam{}, c, s)), 1e-12 + 1e-12 * 1e5 / c.shear_modulus);
 }
 
 TYPED_TEST(EveryLaw, LeavesAdmissibleStressUnchanged) {
@@ -112,11 +117,13 @@ TYPED_TEST(EveryLaw, KeepsThePrincipalDirections) {
 TYPED_TEST(EveryLaw, NeverGainsEnergyByYielding) {
   // plastic work sigma : (sigma_trial - sigma) in the elastic norm is not negative for non-dilatant flow
   for (LawConstants c : this->soils()) {
-    if (c.b > 0 || c.a > 0) continue;  // friction without dilatancy works against pressure, which the mean part below leaves out
+    if (c.b > 0 || c.a > 0)
+      continue;  // friction without dilatancy works against pressure, which the mean part below leaves out
     for (const auto& s : this->trials()) {
       const Stress<Real> r = returned(TypeParam{}, c, s);
       const Real dxx = s.xx - r.xx, dyy = s.yy - r.yy, dxy = s.xy - r.xy;
-      const Real work = (r.xx * (2 * dxx + dyy) + r.yy * (2 * dyy + dxx) + 2 * r.xy * dxy) / (2 * c.shear_modulus) + r.m * (s.m - r.m) / c.bulk_modulus;
+      const Real work = (r.xx * (2 * dxx + dyy) + r.yy * (2 * dyy + dxx) + 2 * r.xy * dxy) / (2 * c.shear_modulus) +
+                        r.m * (s.m - r.m) / c.bulk_modulus;
       EXPECT_GE(work, -1e-9 * (s.j2() + s.m * s.m) / c.shear_modulus);
     }
   }
@@ -131,8 +138,9 @@ TYPED_TEST(EveryLaw, PacksReturnWhatScalarsReturn) {
         const auto& t = trials[n + static_cast<std::size_t>(l)];
         s.xx[l] = t.xx, s.yy[l] = t.yy, s.xy[l] = t.xy, s.m[l] = t.m;
       }
-      const Stress<Pack> r = algorithm_of(AnyLaw(TypeParam{})) == ReturnAlgorithm::kCone ? Cone<Pack>(c).returned(s).stress
-                                                                                       : Hexagon<Pack>(c).returned(s).stress;
+      const Stress<Pack> r = algorithm_of(AnyLaw(TypeParam{})) == ReturnAlgorithm::kCone
+                                 ? Cone<Pack>(c).returned(s).stress
+                                 : Hexagon<Pack>(c).returned(s).stress;
       for (int l = 0; l < kWidth; ++l) {
         const auto& t = trials[n + static_cast<std::size_t>(l)];
         const Stress<Real> one = returned(TypeParam{}, c, t);
@@ -152,16 +160,18 @@ Strength soil(Real cohesion, Real phi, Real psi) {
   return s;
 }
 
-/// Strength of a law in plane-strain shear flow with dilatancy angle psi: radius of Mohr's circle at in-plane mean stress `mean`,
-/// after so much straining with de_yy = -de_xx + volume that the stress no longer changes.
+/// Strength of a law in plane-strain shear flow with dilatancy angle psi: radius of Mohr's circle at in-plane mean
+/// stress `mean`, after so much straining with de_yy = -de_xx + volume that the stress no longer changes.
 Real flowing_radius(const AnyLaw& law, const Strength& strength, Real confining) {
   const LawConstants c = derive(law, 1e8, 0.3, strength);
   Stress<Real> s{0, 0, 0, -confining};
   const Real sin_psi = std::sin(strength.dilatancy_angle);
-  for (int n = 0; n < 20000; ++n) {  // e_xx - e_yy grows; volume follows the dilatancy angle; confinement is restored each step
+  for (int n = 0; n < 20000;
+       ++n) {  // e_xx - e_yy grows; volume follows the dilatancy angle; confinement is restored each step
     const Real shear = 1e-6, volume = sin_psi * 2 * shear;
     Stress<Real> t = s;
-    t.xx += 2 * c.shear_modulus * (shear + volume / 2 - volume / 3), t.yy += 2 * c.shear_modulus * (-shear + volume / 2 - volume / 3);
+    t.xx += 2 * c.shear_modulus * (shear + volume / 2 - volume / 3),
+        t.yy += 2 * c.shear_modulus * (-shear + volume / 2 - volume / 3);
     t.m += c.bulk_modulus * volume;
     s = returned(law, c, t);
     s.m -= s.m + (s.xx + s.yy) / 2 + confining;  // keep (sigma_xx + sigma_yy)/2 = -confining
@@ -173,20 +183,23 @@ TEST(DruckerPrager, MatchesMohrCoulombInPlaneStrainFlowForAnyDilatancy) {
   for (Real phi : {10.0, 20.0, 35.0})
     for (Real psi : {0.0, phi / 2, phi}) {
       const Real confining = 1e5;
-      const Real exact = 1e4 * std::cos(radians(phi)) + confining * std::sin(radians(phi));  // Mohr-Coulomb in plane strain
-      EXPECT_NEAR(flowing_radius(DruckerPrager{}, soil(1e4, phi, psi), confining), exact, 2e-3 * exact) << phi << " " << psi;
-      EXPECT_NEAR(flowing_radius(MohrCoulomb{}, soil(1e4, phi, psi), confining), exact, 2e-3 * exact) << phi << " " << psi;
+      const Real exact =
+          1e4 * std::cos(radians(phi)) + confining * std::sin(radians(phi));  // Mohr-Coulomb in plane strain
+      EXPECT_NEAR(flowing_radius(DruckerPrager{}, soil(1e4, phi, psi), confining), exact, 2e-3 * exact)
+          << phi << " " << psi;
+      EXPECT_NEAR(flowing_radius(MohrCoulomb{}, soil(1e4, phi, psi), confining), exact, 2e-3 * exact)
+          << phi << " " << psi;
     }
 }
 
 TEST(DruckerPrager, ConstantsReproduceTheFourRowTable) {
   const Real phi = radians(20), c = 1e4, t = std::tan(phi), root = std::sqrt(9 + 12 * t * t);
   const LawConstants associated = derive(DruckerPrager{}, 1e8, 0.3, soil(c, 20, 20));
-  EXPECT_NEAR(associated.a, 3 * t / root, 1e-14);       // method 4.3 row 1: alpha = tan phi / sqrt(9 + 12 tan^2 phi)
-  EXPECT_NEAR(associated.k, 3 * c / root, 1e-10 * c);   // row 1: k = 3c / sqrt(9 + 12 tan^2 phi)
-  EXPECT_NEAR(associated.b, 3 * t / root, 1e-14);       // alpha_psi, same form
+  EXPECT_NEAR(associated.a, 3 * t / root, 1e-14);      // method 4.3 row 1: alpha = tan phi / sqrt(9 + 12 tan^2 phi)
+  EXPECT_NEAR(associated.k, 3 * c / root, 1e-10 * c);  // row 1: k = 3c / sqrt(9 + 12 tan^2 phi)
+  EXPECT_NEAR(associated.b, 3 * t / root, 1e-14);      // alpha_psi, same form
   const LawConstants isochoric = derive(DruckerPrager{}, 1e8, 0.3, soil(c, 20, 0));
-  EXPECT_NEAR(isochoric.a, std::sin(phi), 1e-14);       // row 3
+  EXPECT_NEAR(isochoric.a, std::sin(phi), 1e-14);  // row 3
   EXPECT_NEAR(isochoric.k, c * std::cos(phi), 1e-10 * c);
   EXPECT_EQ(isochoric.b, 0);
 }
@@ -202,7 +215,8 @@ TEST(MohrCoulomb, UniaxialCompressionFailsAtTheClosedForm) {
     t.xx += 2 * c.shear_modulus * out * 2 / 3, t.yy -= 2 * c.shear_modulus * out / 3, t.m += c.bulk_modulus * out;
     s = returned(MohrCoulomb{}, c, t);
   }
-  EXPECT_NEAR(-(s.yy + s.m) + (s.xx + s.m) * 3.0, 34.641016, 34.641016 * 1e-3);  // sigma_1 = N sigma_3 + UCS, N = tan^2(60) = 3
+  EXPECT_NEAR(-(s.yy + s.m) + (s.xx + s.m) * 3.0, 34.641016,
+              34.641016 * 1e-3);  // sigma_1 = N sigma_3 + UCS, N = tan^2(60) = 3
 }
 
 TEST(Undrained, CohesionIsTheRadiusOfMohrsCircle) {

@@ -1,0 +1,183 @@
+// Factors of safety with exact answers, and what must not change them. Spacings as in the scene files.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "analysis/job.h"
+#include "exchange/scene_buffer.h"
+#include "exchange/scene_text.h"
+
+namespace vbgpd {
+namespace {
+
+SceneDef scene(const std::string& name) {
+  const std::string path = std::string(VBGPD_SCENES_DIR) + "/" + name + ".json";
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return scene_from_flatbuffer(scene_text_to_flatbuffer(text.str(), path));
+}
+
+JobResult solve(const SceneDef& s, int levels, int threads = 1) {
+  CompileOptions options;
+  options.threads = threads;
+  const auto simulation = Simulation::compile(s, options);
+  const auto job = make_strength_reduction(*simulation);
+  job->set("levels", levels);
+  job->run(0, {});
+  return job->result();
+}
+
+TEST(VerticalCut, ExtrapolatesToTheExactStabilityNumberWithinOnePercent) {
+  const JobResult r = solve(scene("vertical_cut"), 2);  // gamma H / c = 3.776: exact factor of safety 1
+  EXPECT_EQ(r.status, "OK");
+  EXPECT_NEAR(r.factor_of_safety, 1, 0.01);
+  EXPECT_LE(std::fabs(r.factor_of_safety - 1), r.error_estimate);
+}
+
+TEST(PrandtlStrip, ExtrapolatesToTwoPlusPiWithinOnePercent) {
+  const JobResult r = solve(scene("prandtl_strip"), 2);  // q = (2 + pi) c: exact factor of safety 1
+  EXPECT_EQ(r.status, "OK");
+  EXPECT_NEAR(r.factor_of_safety, 1, 0.01);
+  EXPECT_LE(std::fabs(r.factor_of_safety - 1), r.error_estimate);
+}
+
+TEST(GriffithsLane, ExampleOneLiesWithinOnePercentOfThePublishedSpan) {
+  const JobResult r = solve(scene("gl_1"), 2);
+  EXPECT_GE(r.factor_of_safety, 1.35 * 0.99);  // strength reduction 1.35 to 1.40, Bishop & Morgenstern 1.38
+  EXPECT_LE(r.factor_of_safety, 1.40 * 1.01);
+}
+
+SceneDef small_slope() {
+  SceneDef s = scene("gl_1");
+  s.spacing = 1;
+  return s;
+}
+
+void transform(SceneDef& s, double scale, double dx, double dy, bool mirror) {
+  for (Point& p : s.exterior) p = {(mirror ? -p.x : p.x) * scale + dx, p.y * scale + dy};
+  for (LayerDef& l : s.layers)
+    for (Point& p : l.polygon) p = {(mirror ? -p.x : p.x) * scale + dx, p.y * scale + dy};
+  for (BoundaryDef& b : s.boundaries)
+    if (mirror && !b.side.empty() && b.side != "base") b.side = b.side == "left" ? "right" : "left";
+  for (MaterialDef& m : s.materials) m.cohesion *= scale, m.young_modulus *= scale;
+  s.spacing *= scale;
+}
+
+TEST(FactorOfSafety, IsTheSameForMillimetresAndKilometres) {
+  const double base = solve(small_slope(), 1).factor_of_safety;
+  for (double scale : {1e-3, 1e3}) {
+    SceneDef s = small_slope();
+    transform(s, scale, 0, 0, false);
+    EXPECT_NEAR(solve(s, 1).factor_of_safety, base, 1e-6) << scale;
+  }
+}
+
+TEST(FactorOfSafety, IsTheSameForTheMirroredSlope) {
+  SceneDef s = small_slope();
+  const double base = solve(s, 1).factor_of_safety;
+  transform(s, 1, 0, 0, true);
+  EXPECT_NEAR(solve(s, 1).factor_of_safety, base, 1e-6);
+}
+
+TEST(FactorOfSafety, IsTheSameAtMapCoordinates) {
+  SceneDef s = small_slope();
+  const double base = solve(s, 1).factor_of_safety;
+  transform(s, 1, 512345.25, 5412345.5, false);
+  EXPECT_NEAR(solve(s, 1).factor_of_safety, base, 1e-6);
+}
+
+TEST(FactorOfSafety, IsTheSameForAnyStiffness) {
+  SceneDef s = small_slope();
+  const double base = solve(s, 1).factor_of_safety;
+  for (double stiffness : {1e6, 1e10}) {
+    s.materials[0].young_modulus = stiffness;
+    EXPECT_NEAR(solve(s, 1).factor_of_safety, base, 0.01 * base) << stiffness;
+  }
+}
+
+TEST(FactorOfSafety, IsTheSameForAnyThreadCountAndSlicing) {
+  const JobResult one = solve(small_slope(), 2), two = solve(small_slope(), 2, 2);
+  EXPECT_EQ(one.factor_of_safety, two.factor_of_safety);
+  EXPECT_EQ(one.steps, two.steps);
+  const auto simulation = Simulation::compile(small_slope(), {});
+  const auto job = make_strength_reduction(*simulation);
+  int slices = 0;
+  while (job->run(0.001, {}) == Status::kLimitReached) ++slices;
+  EXPECT_GT(slices, 3);
+  EXPECT_EQ(job->result().factor_of_safety, one.factor_of_safety);
+  EXPECT_EQ(job->result().steps, one.steps);
+}
+
+TEST(FactorOfSafety, BelowOneIsFoundForASlopeThatCannotStand) {
+  SceneDef s = small_slope();
+  s.materials[0].cohesion = 3e3, s.materials[0].friction_angle = 10;
+  const JobResult r = solve(s, 1);
+  EXPECT_EQ(r.status, "OK");
+  EXPECT_LT(r.srf_unstable, 1);
+  EXPECT_GT(r.srf_stable, 0.4);
+}
+
+TEST(FactorOfSafety, OutsideTheRangeAskedIsSaidSo) {
+  SceneDef s = small_slope();
+  s.strength_reduction.srf_max = 1.2;
+  EXPECT_EQ(solve(s, 1).status, "ABOVE_MAX");
+  s.strength_reduction.srf_min = 2, s.strength_reduction.srf_max = 3;
+  EXPECT_EQ(solve(s, 1).status, "BELOW_MIN");
+}
+
+TEST(FactorOfSafety, IsNotDecidedByAStepLimit) {
+  const auto simulation = Simulation::compile(small_slope(), {});
+  const auto job = make_strength_reduction(*simulation);
+  job->set("step_limit", 20);
+  EXPECT_EQ(job->run(0, {}), Status::kNotConverged);
+  EXPECT_EQ(job->result().status, "NOT_CONVERGED");
+  EXPECT_NE(job->result().reason.find("20 steps"), std::string::npos) << job->result().reason;
+}
+
+TEST(FactorOfSafety, ComesWithTheEvidenceOfBothEnds) {
+  const JobResult r = solve(small_slope(), 1);
+  bool stable = false, failed = false;
+  for (const Trial& t : r.trials) {
+    if (t.verdict == Verdict::kStable) {
+      EXPECT_LT(t.unbalanced_force_ratio, 1e-5);
+    }
+    if (t.verdict == Verdict::kFailed) {
+      EXPECT_GT(t.unbalanced_force_ratio, 3e-5);
+      EXPECT_GT(t.displacement_growth, 0.02);
+      EXPECT_TRUE(t.band_connected);
+    }
+    stable |= t.verdict == Verdict::kStable && t.strength_reduction_factor == r.srf_stable;
+    failed |= t.verdict == Verdict::kFailed && t.strength_reduction_factor == r.srf_unstable;
+  }
+  EXPECT_TRUE(stable);
+  EXPECT_TRUE(failed);
+  EXPECT_LE(r.srf_unstable - r.srf_stable, 0.005 + 1e-12);
+}
+
+TEST(FactorOfSafety, AgreesBetweenTheFastAndTheCarefulSearch) {
+  SceneDef s = scene("gl_1");
+  const auto simulation = Simulation::compile(s, {});
+  const auto careful = make_strength_reduction(*simulation);
+  careful->set("levels", 1), careful->set("careful", 1);
+  careful->run(0, {});
+  const double fast = solve(s, 1).factor_of_safety;
+  EXPECT_NEAR(fast, careful->result().factor_of_safety, 0.005 * fast);
+}
+
+TEST(SlipSurface, OfExampleOneRunsFromCrestToToe) {
+  const JobResult r = solve(scene("gl_1"), 1);
+  ASSERT_GE(r.slip_surface.size(), 10u);
+  EXPECT_NEAR(r.slip_surface.front().y, 10, 1e-9);  // enters on the crest
+  EXPECT_GT(r.slip_surface.front().x, 6);           // critical Bishop circle: 9.4 (own search of the benchmark)
+  EXPECT_LT(r.slip_surface.front().x, 11);
+  EXPECT_LT(r.slip_surface.back().y, 1.0);  // leaves at the toe
+  EXPECT_GT(r.slip_surface.back().x, 29);
+  EXPECT_GT(r.sliding_area, 50);
+  EXPECT_LT(r.sliding_area, 90);
+}
+
+}  // namespace
+}  // namespace vbgpd
