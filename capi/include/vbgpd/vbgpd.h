@@ -23,6 +23,7 @@
  * Life cycle: context -> profile (edit, validate) -> model (particles and bonds) -> job (equilibrium or strength
  * reduction, in slices) or step by step -> fields and results -> destroy, in any order.
  */
+/* clang-format off: one declaration, one line */
 #ifndef VBGPD_H
 #define VBGPD_H
 #include <stdint.h>
@@ -44,12 +45,12 @@ extern "C" {
 #endif
 
 /* ---- version ------------------------------------------------------------------------------------------- */
-#define VBGPD_VERSION_NUMBER 1000000                     /* major*1000000 + minor*1000 + patch */
-#define VBGPD_ABI_VERSION 1                              /* = soname libvbgpd.so.1; changes only when R9 is broken */
-#define VBGPD_STRLEN ((int64_t)-1)                       /* as a length: the text ends at its NUL */
-VBGPD_API int32_t VBGPD_CALL vbgpd_version_number(void); /* [any-thread] of the library, not of this header */
-VBGPD_API int32_t VBGPD_CALL vbgpd_abi_version(void);    /* [any-thread] */
-VBGPD_API const char* VBGPD_CALL vbgpd_version_string(void); /* [any-thread] static text, "1.0.0" */
+#define VBGPD_VERSION_NUMBER 1000000 /* major*1000000 + minor*1000 + patch */
+#define VBGPD_ABI_VERSION 1          /* = soname libvbgpd.so.1; changes only when R9 is broken */
+#define VBGPD_STRLEN ((int64_t)-1)   /* as a length: the text ends at its NUL */
+VBGPD_API int32_t VBGPD_CALL vbgpd_version_number(void);      /* [any-thread] of the library, not of this header */
+VBGPD_API int32_t VBGPD_CALL vbgpd_abi_version(void);         /* [any-thread] */
+VBGPD_API const char* VBGPD_CALL vbgpd_version_string(void);  /* [any-thread] static text, "1.0.0" */
 
 /* ---- status -------------------------------------------------------------------------------------------- */
 typedef int32_t vbgpd_status;
@@ -103,14 +104,10 @@ typedef struct vbgpd_error_info {
 } vbgpd_error_info;
 /* The last failure of a call ON THIS OBJECT (not per thread); kept until the next failing call on it.
  * Without a failure so far: VBGPD_END_OF_DATA. info and text may be NULL. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_error(const vbgpd_context*, vbgpd_error_info* info, char* text,
-                                                      int64_t cap, int64_t* needed);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_error(const vbgpd_profile*, vbgpd_error_info* info, char* text,
-                                                      int64_t cap, int64_t* needed);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_error(const vbgpd_model*, vbgpd_error_info* info, char* text, int64_t cap,
-                                                    int64_t* needed);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_error(const vbgpd_job*, vbgpd_error_info* info, char* text, int64_t cap,
-                                                  int64_t* needed);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_error(const vbgpd_context*, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_error(const vbgpd_profile*, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_error(const vbgpd_model*, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_error(const vbgpd_job*, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
 
 /* ---- context ------------------------------------------------------------------------------------------- */
 typedef struct vbgpd_context_desc {
@@ -121,78 +118,58 @@ typedef struct vbgpd_context_desc {
   int64_t max_particles; /* model creation beyond it gives VBGPD_E_LIMIT; 0 = no limit (default) */
 } vbgpd_context_desc;
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_desc_init(vbgpd_context_desc* d, uint32_t struct_size);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_create(const vbgpd_context_desc* d,
-                                                       vbgpd_context** out); /* d NULL = defaults */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_create(const vbgpd_context_desc* d, vbgpd_context** out); /* d NULL = defaults */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_destroy(vbgpd_context*);
 
 /* ---- the named numbers describe themselves ---------------------------------------------------------------- */
 typedef struct vbgpd_property_info {
   uint32_t struct_size;
-  int32_t required;                           /* 1 = has no default and must be set */
-  const char *name, *unit, *doc;              /* static text: "cohesion", "Pa" (UDUNITS), one sentence */
-  double default_value, min_value, max_value; /* default NaN = absent */
-  int32_t min_open, max_open;                 /* 1 = the end itself is not allowed */
+  int32_t required;                                /* 1 = has no default and must be set */
+  const char *name, *unit, *doc;                   /* static text: "cohesion", "Pa" (UDUNITS), one sentence */
+  double default_value, min_value, max_value;      /* default NaN = absent */
+  int32_t min_open, max_open;                      /* 1 = the end itself is not allowed */
 } vbgpd_property_info;
 /* object_kind: VBGPD_OBJECT_PROFILE (spacing, gravity, kh, kv, smoothing_ratio, srf_min, srf_max, srf_tolerance),
  * MATERIAL, LOAD, BOUNDARY, MODEL, JOB */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_count(int32_t object_kind, int64_t* n); /* [any-thread] */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_info_at(int32_t object_kind, int64_t i,
-                                                         vbgpd_property_info* info); /* [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_count(int32_t object_kind, int64_t* n);                    /* [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_info_at(int32_t object_kind, int64_t i, vbgpd_property_info* info); /* [any-thread] */
 
 /* ---- slope profile --------------------------------------------------------------------------------------- */
-/* xy arrays: n points, x at p + i*stride bytes, y 8 bytes behind it; stride 16 = packed pairs. Any winding, either
- * slope direction, map-sized coordinates. Contents are copied. Values are checked as a whole by _validate and
- * _model_create. */
+/* xy arrays: n points, x at p + i*stride bytes, y 8 bytes behind it; stride 16 = packed pairs. Any winding, either slope
+ * direction, map-sized coordinates. Contents are copied. Values are checked as a whole by _validate and _model_create. */
 #define VBGPD_BOUNDARY_FREE 0
 #define VBGPD_BOUNDARY_FIXED 1
 #define VBGPD_BOUNDARY_ROLLER 2   /* slides along itself, does not move across */
 #define VBGPD_BOUNDARY_VELOCITY 3 /* moves with the properties "vx", "vy" */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_create(vbgpd_context*, vbgpd_profile** out);
 /* A scene from a flatbuffer (schema core/exchange/vbgpd.fbs, file identifier "VBGP"); bytes are verified and copied. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_create_from_flatbuffer(vbgpd_context*, const void* bytes, int64_t len,
-                                                                       vbgpd_profile** out);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_create_from_flatbuffer(vbgpd_context*, const void* bytes, int64_t len, vbgpd_profile** out);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_destroy(vbgpd_profile*);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_exterior(vbgpd_profile*, const double* xy, int64_t stride,
-                                                             int64_t n);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_material(vbgpd_profile*, const char* name, int64_t len,
-                                                             int64_t* material_id);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_exterior(vbgpd_profile*, const double* xy, int64_t stride, int64_t n);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_material(vbgpd_profile*, const char* name, int64_t len, int64_t* material_id);
 /* Layers are painted in order; n = 0 (xy NULL) fills the exterior, later polygons overwrite. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_layer(vbgpd_profile*, const double* xy, int64_t stride, int64_t n,
-                                                          int64_t material_id, int64_t* layer_id);
-/* A held part of the outline. side "base", "left" or "right" with n = 0, or side NULL and a polyline along the
- * exterior. A profile without any boundary has a fixed base and rollers left and right. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_boundary(vbgpd_profile*, const char* side, int64_t side_len,
-                                                             const double* xy, int64_t stride, int64_t n, int32_t kind,
-                                                             int64_t* boundary_id);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_layer(vbgpd_profile*, const double* xy, int64_t stride, int64_t n, int64_t material_id, int64_t* layer_id);
+/* A held part of the outline. side "base", "left" or "right" with n = 0, or side NULL and a polyline along the exterior.
+ * A profile without any boundary has a fixed base and rollers left and right. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_boundary(vbgpd_profile*, const char* side, int64_t side_len, const double* xy, int64_t stride, int64_t n, int32_t kind, int64_t* boundary_id);
 /* Vertical pressure (Pa, down positive) on the ground surface from x0 to x1, linear from pressure to pressure_end. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_load(vbgpd_profile*, double x0, double x1, double pressure,
-                                                         double pressure_end, int64_t* load_id);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_load(vbgpd_profile*, double x0, double x1, double pressure, double pressure_end, int64_t* load_id);
 /* Named numbers; id is ignored for VBGPD_OBJECT_PROFILE. NaN takes a value back to "absent". */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_f64(vbgpd_profile*, int32_t object_kind, int64_t id,
-                                                        const char* name, int64_t len, double value);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_f64(const vbgpd_profile*, int32_t object_kind, int64_t id,
-                                                        const char* name, int64_t len, double* value);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_f64(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double value);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_f64(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double* value);
 /* Named texts: PROFILE "name", "source", "bond" (virtual_bond | none), "kernel" (wendland_c2 | cubic_spline);
- * MATERIAL "name", "law" (elastic | drucker_prager | mohr_coulomb | undrained); LAYER "material"; BOUNDARY "name",
- * "side". */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_text(vbgpd_profile*, int32_t object_kind, int64_t id,
-                                                         const char* name, int64_t len, const char* value,
-                                                         int64_t value_len);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_text(const vbgpd_profile*, int32_t object_kind, int64_t id,
-                                                         const char* name, int64_t len, char* buf, int64_t cap,
-                                                         int64_t* needed);
+ * MATERIAL "name", "law" (elastic | drucker_prager | mohr_coulomb | undrained); LAYER "material"; BOUNDARY "name", "side". */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_text(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, const char* value, int64_t value_len);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_text(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 /* How many materials, layers, loads, boundaries (PROFILE: 1). */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_count(const vbgpd_profile*, int32_t object_kind, int64_t* n);
-/* Vertices of the exterior (PROFILE), of a LAYER, of a BOUNDARY polyline; *n is always the full count; cap counts
- * points; cap 0 asks for the count only, a cap too small gives VBGPD_E_BUFFER. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_polygon(const vbgpd_profile*, int32_t object_kind, int64_t id,
-                                                        double* xy, int64_t stride, int64_t cap, int64_t* n);
-/* Finds every fault, not the first: *errors of them forbid a model, *warnings do not. Errors do not make the call fail.
- */
+/* Vertices of the exterior (PROFILE), of a LAYER, of a BOUNDARY polyline; *n is always the full count; cap counts points;
+ * cap 0 asks for the count only, a cap too small gives VBGPD_E_BUFFER. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_polygon(const vbgpd_profile*, int32_t object_kind, int64_t id, double* xy, int64_t stride, int64_t cap, int64_t* n);
+/* Finds every fault, not the first: *errors of them forbid a model, *warnings do not. Errors do not make the call fail. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_validate(vbgpd_profile*, int64_t* errors, int64_t* warnings);
 /* Issue i of the last _validate, errors and warnings in the order found; VBGPD_END_OF_DATA past the last. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_issue(const vbgpd_profile*, int64_t i, vbgpd_error_info* info,
-                                                      char* text, int64_t cap, int64_t* needed);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_issue(const vbgpd_profile*, int64_t i, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
 
 /* ---- model ------------------------------------------------------------------------------------------------ */
 /* Validates, cuts the lattice, bonds the particles; the profile may be changed or destroyed afterwards.
@@ -202,9 +179,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_destroy(vbgpd_model*);
 /* "damping" (local damping coefficient of _step, [0, 1), default 0), "strength_reduction_factor" (default 1) */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* name, int64_t len, double value);
 /* the above and: time, steps, stable_time_step, time_step, unbalanced_force_ratio, max_displacement, max_velocity,
- * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds,
- * plastic_bonds, bytes, and the energy ledger since creation: kinetic_energy, elastic_energy, plastic_dissipation,
- * damping_dissipation, external_work, energy_residual (relative to the largest of them) */
+ * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds, plastic_bonds,
+ * bytes, and the energy ledger since creation: kinetic_energy, elastic_energy, plastic_dissipation, damping_dissipation,
+ * external_work, energy_residual (relative to the largest of them) */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_get_f64(const vbgpd_model*, const char* name, int64_t len, double* value);
 
 typedef struct vbgpd_progress {
@@ -218,15 +195,14 @@ typedef struct vbgpd_progress {
   double srf_stable, srf_unstable;  /* bracket so far on this grid, NaN = not yet */
   double unbalanced_force_ratio, max_displacement;
 } vbgpd_progress;
-typedef int32_t(VBGPD_CALL* vbgpd_progress_fn)(void* user,
-                                               const vbgpd_progress*); /* 0 = go on, else stop: VBGPD_CANCELLED */
+typedef int32_t(VBGPD_CALL* vbgpd_progress_fn)(void* user, const vbgpd_progress*); /* 0 = go on, else stop: VBGPD_CANCELLED */
 
 typedef struct vbgpd_advance_result {
   uint32_t struct_size;
   int32_t reserved;
-  int64_t steps;          /* done in this call */
-  double time, time_step; /* s */
-  double kinetic_energy;  /* J per metre run */
+  int64_t steps;                /* done in this call */
+  double time, time_step;       /* s */
+  double kinetic_energy;        /* J per metre run */
   double unbalanced_force_ratio, max_displacement, max_velocity;
   int64_t plastic_bonds;
 } vbgpd_advance_result;
@@ -236,29 +212,23 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_step(vbgpd_model*, int64_t steps, 
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_cancel(vbgpd_model*); /* [any-thread] [signal-safe] */
 
 /* ---- jobs: long analyses in slices ------------------------------------------------------------------------- */
-/* A job works on the model it was made for; that model answers VBGPD_E_BUSY only while a slice runs. When a strength
- * reduction has ended the model is left in the failing state of the finest grid, so that its fields show the mechanism.
- */
+/* A job works on the model it was made for; while a slice runs that model answers VBGPD_E_BUSY to other threads and
+ * VBGPD_E_REENTRANT to the job's own callback. When a strength reduction has ended the model is left in the failing state of the finest grid, so that its fields show the mechanism. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_equilibrium(vbgpd_model*, vbgpd_job** out);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_strength_reduction(vbgpd_model*, vbgpd_job** out);
-/* "srf_min", "srf_max", "srf_tolerance" (taken from the profile), "levels" (grids, 1-3, default 2), "careful" (0 fast
- * search then verification, 1 plain bisection from the gravity state), "step_limit" (per trial). Before the first _run
- * only. */
+/* "srf_min", "srf_max", "srf_tolerance" (taken from the profile), "levels" (grids, 1-3, default 2), "careful" (0 fast search
+ * then verification, 1 plain bisection from the gravity state), "step_limit" (per trial). Before the first _run only. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_set_f64(vbgpd_job*, const char* name, int64_t len, double value);
 /* VBGPD_OK = finished; LIMIT_REACHED or CANCELLED = call again; NOT_CONVERGED, UNSTABLE = finished with that outcome.
  * wall_seconds <= 0: no limit. fn may be NULL; it is called at most about ten times a second. p may be NULL. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_run(vbgpd_job*, double wall_seconds, vbgpd_progress_fn fn, void* user,
-                                                vbgpd_progress* p);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_run(vbgpd_job*, double wall_seconds, vbgpd_progress_fn fn, void* user, vbgpd_progress* p);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] [signal-safe] */
 /* After it finished: factor_of_safety, srf_stable, srf_unstable, error_estimate, displacement_level, sliding_area,
  * energy_residual, levels, trials, steps, particles, bonds, wall_seconds, cpu_seconds. NaN where it has no value.
- * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds.
- */
+ * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_f64(const vbgpd_job*, const char* name, int64_t len, double* value);
-/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, ...), "reason" (a sentence), "scheme", "reduced" (which
- * strengths), "flow_rule" */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf,
-                                                     int64_t cap, int64_t* needed);
+/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, ...), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 
 /* One strength reduction factor that was tried, with its evidence. */
 #define VBGPD_VERDICT_UNDECIDED 0
@@ -266,20 +236,19 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const cha
 #define VBGPD_VERDICT_FAILED 2
 typedef struct vbgpd_trial {
   uint32_t struct_size;
-  int32_t level;          /* which grid, 0 = coarsest */
-  int32_t verdict;        /* VBGPD_VERDICT_* */
-  int32_t band_connected; /* 1: yielding bonds join the ground surface to the ground surface */
+  int32_t level;                    /* which grid, 0 = coarsest */
+  int32_t verdict;                  /* VBGPD_VERDICT_* */
+  int32_t band_connected;           /* 1: yielding bonds join the ground surface to the ground surface */
   double strength_reduction_factor;
-  double unbalanced_force_ratio; /* at the end: sum |f| / sum m g */
-  double unbalanced_force_slope; /* change of its logarithm over the last response time; about 0 = plateau */
-  double displacement_level;     /* E u_max / gamma H^2 at the end */
-  double displacement_growth;    /* growth of u_max over the last response time, relative to the elastic u_max */
-  double power_ratio; /* internal / gravity power times F: the F this flow would just balance; NaN = at rest */
+  double unbalanced_force_ratio;    /* at the end: sum |f| / sum m g */
+  double unbalanced_force_slope;    /* change of its logarithm over the last response time; about 0 = plateau */
+  double displacement_level;        /* E u_max / gamma H^2 at the end */
+  double displacement_growth;       /* growth of u_max over the last response time, relative to the elastic u_max */
+  double power_ratio;               /* internal / gravity power times F: the F this flow would just balance; NaN = at rest */
   int64_t steps;
   double wall_seconds;
 } vbgpd_trial;
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_trial(const vbgpd_job*, int64_t i,
-                                                  vbgpd_trial* t); /* END_OF_DATA past the last */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_trial(const vbgpd_job*, int64_t i, vbgpd_trial* t); /* END_OF_DATA past the last */
 typedef struct vbgpd_level {
   uint32_t struct_size;
   int32_t reserved;
@@ -290,8 +259,7 @@ typedef struct vbgpd_level {
 } vbgpd_level;
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_level(const vbgpd_job*, int64_t i, vbgpd_level* l);
 /* The critical slip surface from entry to exit, left to right; rules for cap and n as vbgpd_profile_polygon. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_slip_surface(const vbgpd_job*, double* xy, int64_t stride, int64_t cap,
-                                                         int64_t* n);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_slip_surface(const vbgpd_job*, double* xy, int64_t stride, int64_t cap, int64_t* n);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_destroy(vbgpd_job*);
 
 /* ---- reading fields ----------------------------------------------------------------------------------------- */
@@ -306,19 +274,15 @@ typedef struct vbgpd_field_info {
   int32_t components;
   const char *name, *unit, *doc; /* static text; unit UDUNITS */
 } vbgpd_field_info;
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_count(int64_t* n);                                   /* [any-thread] */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_info_at(int64_t i, vbgpd_field_info* info);          /* [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_count(int64_t* n);                            /* [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_info_at(int64_t i, vbgpd_field_info* info);   /* [any-thread] */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_find(const char* name, int64_t len, int32_t* field); /* [any-thread] */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_item_count(const vbgpd_model*, int32_t location, int64_t* n);
 /* Copies all items of a field, by particle id (soil first, then wall particles) or bond by bond. dst + i*stride_item +
- * c*stride_component bytes receives component c of item i; strides 0 = packed rows. cap counts items; *n (may be NULL)
- * is the full count; cap too small gives VBGPD_E_BUFFER. read_i64 wants an integer field, read_f64 takes either. */
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_f64(const vbgpd_model*, int32_t field, double* dst,
-                                                       int64_t stride_item, int64_t stride_component, int64_t cap,
-                                                       int64_t* n);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_i64(const vbgpd_model*, int32_t field, int64_t* dst,
-                                                       int64_t stride_item, int64_t stride_component, int64_t cap,
-                                                       int64_t* n);
+ * c*stride_component bytes receives component c of item i; strides 0 = packed rows. cap counts items; *n (may be NULL) is the
+ * full count; cap too small gives VBGPD_E_BUFFER. read_i64 wants an integer field, read_f64 takes either. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_f64(const vbgpd_model*, int32_t field, double* dst, int64_t stride_item, int64_t stride_component, int64_t cap, int64_t* n);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_i64(const vbgpd_model*, int32_t field, int64_t* dst, int64_t stride_item, int64_t stride_component, int64_t cap, int64_t* n);
 /* 64-bit hash of everything that changes in the model: same run = same hash, at any thread count. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_state_hash(const vbgpd_model*, uint64_t* hash);
 
