@@ -154,6 +154,31 @@ std::vector<Vec2> resampled(const std::vector<Vec2>& line, double step) {
   return out;
 }
 
+/// The edge of the mass from one side to the other. Where the mass slides on a held base its edge is in pieces: those
+/// that follow one another from left to right are joined along the base; specks are left out.
+std::vector<Vec2> main_line(std::vector<std::vector<Vec2>> pieces) {
+  double longest = 0;
+  for (const auto& piece : pieces) longest = std::max(longest, length_of(piece));
+  std::erase_if(pieces, [&](const auto& piece) { return length_of(piece) < 0.2 * longest; });
+  for (auto& piece : pieces)
+    if (piece.front().x() > piece.back().x()) std::reverse(piece.begin(), piece.end());
+  const auto principal = std::max_element(pieces.begin(), pieces.end(),
+                                          [](const auto& a, const auto& b) { return length_of(a) < length_of(b); });
+  if (principal == pieces.end()) return {};
+  std::vector<Vec2> line = *principal;
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (auto& piece : pieces) {
+      if (piece.empty()) continue;
+      if (piece.front().x() > line.back().x()) line.insert(line.end(), piece.begin(), piece.end()), grown = true;
+      else if (piece.back().x() < line.front().x()) line.insert(line.begin(), piece.begin(), piece.end()), grown = true;
+      else continue;
+      piece.clear();
+    }
+  }
+  return line;
+}
+
 /// Binomial smoothing with the ends kept.
 void smooth(std::vector<Vec2>& line, int times) {
   for (int t = 0; t < times; ++t) {
@@ -279,10 +304,7 @@ SlipSurface slip_surface(const Simulation& simulation, const Instant& before, co
     if (mass[k]) out.sliding_area += area.values()[k];
     else if (moved.values()[k] >= level) moved.values()[k] = 0;  // other places that move are not this mass
   }
-  std::vector<std::vector<Vec2>> lines = contour(moved, level);
-  if (lines.empty()) return out;
-  std::vector<Vec2> line = *std::max_element(lines.begin(), lines.end(),
-                                             [](const auto& a, const auto& b) { return length_of(a) < length_of(b); });
+  std::vector<Vec2> line = main_line(contour(moved, level));
   const double spacing = section.lattice.spacing.minCoeff();
   if (line.size() < 3) return out;
   line = resampled(line, spacing);
