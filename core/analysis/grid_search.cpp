@@ -81,6 +81,8 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
   if (trial.verdict == Verdict::kFailed) {
     failed_ = std::isnan(failed_) ? factor : std::min(failed_, factor);
     displacement_level_ = trial.displacement_level;
+    constexpr double kGathers = 0.5;
+    softened_ = trial.unbalanced_force_slope > kGathers;
   }
   if (trial.verdict == Verdict::kUndecided) set_aside(trial);
   progress_.srf_stable = stable_, progress_.srf_unstable = failed_;
@@ -207,6 +209,26 @@ Slices GridSearch::fast_bracket() {
   while (!done_ && !closed()) {
     simulation_.restore(*standing_);
     // beside the middle after an undecided trial there
+    const double middle = (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
+    for (Slices s = try_factor(notched(middle + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
+  }
+  if (!done_ && softened_)
+    for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
+}
+
+/// Non-associated soil may soften while it flows (unbalanced force that grows is the sign): then a failure reached
+/// through a flow holds for softened soil only, and the upper end is shown again from the untouched gravity state.
+Slices GridSearch::upper_end_from_gravity() {
+  const double notch = kNotch * options_.tolerance;
+  double factor = failed_;
+  failed_ = kNone;
+  for (double step = 2 * notch; !done_ && std::isnan(failed_); step *= 2) {
+    simulation_.restore(*gravity_);
+    for (Slices s = try_factor(factor, Phase::kFailedEnd); s.next();) co_yield Pause{};
+    factor = std::min(options_.srf_max, notched(factor + step + 0.5 * notch));
+  }
+  while (!done_ && !closed()) {
+    simulation_.restore(*gravity_);
     const double middle = (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
     for (Slices s = try_factor(notched(middle + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }

@@ -37,6 +37,7 @@ class GridSearch {
   Slices gravity();
   Slices follow();
   Slices fast_bracket();
+  Slices upper_end_from_gravity();
   Slices bisection();
   Slices try_factor(double factor, Phase phase);
   void set_factor(double factor);
@@ -56,6 +57,7 @@ class GridSearch {
   SearchEnd end_ = SearchEnd::kNotConverged;
   std::string reason_;
   int undecided_ = 0;
+  bool softened_ = false;  // the last failed trial gathered force on its way
   bool done_ = false;
 };
 
