@@ -220,6 +220,7 @@ Slices GridSearch::fast_bracket() {
 /// through a flow holds for softened soil only, and the upper end is shown again from the untouched gravity state.
 Slices GridSearch::upper_end_from_gravity() {
   const double notch = kNotch * options_.tolerance;
+  const double through_flow = failed_;
   double factor = failed_;
   failed_ = kNone;
   for (double step = 2 * notch; !done_ && std::isnan(failed_); step *= 2) {
@@ -231,6 +232,12 @@ Slices GridSearch::upper_end_from_gravity() {
     simulation_.restore(*gravity_);
     const double middle = (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
     for (Slices s = try_factor(notched(middle + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
+  }
+  // where gravity alone cannot tell, the failure shown through the flow stands
+  if (done_ && end_ == SearchEnd::kNotConverged && through_flow - stable_ <= options_.tolerance * (1 + 1e-9) &&
+      through_flow > stable_) {
+    done_ = false;
+    failed_ = through_flow;
   }
 }
 
