@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/format.h"
+#include "scene/wording.h"
 
 namespace vbgpd {
 
@@ -23,6 +23,21 @@ void GridSearch::set_factor(double factor) {
 double GridSearch::notched(double factor) const {
   const double notch = kNotch * options_.tolerance;
   return notch * std::floor(factor / notch + 1e-9);
+}
+
+/// Where the bracket is halved: beside its middle after an undecided trial there.
+double GridSearch::middle() const {
+  return (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
+}
+
+void GridSearch::end_below() {
+  end_ = SearchEnd::kBelowMin, done_ = true;
+  reason_ = "the slope fails even at the lowest strength reduction factor asked, " + number_text(options_.srf_min);
+}
+
+void GridSearch::end_above() {
+  end_ = SearchEnd::kAboveMax, done_ = true;
+  reason_ = "the slope stands even at the highest strength reduction factor asked, " + number_text(options_.srf_max);
 }
 
 /// Elastic equilibrium under weight and loads; its steps are the response time N_r of the section.
@@ -71,7 +86,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
   verdict_ = trial.verdict;
   if (run.diverged()) {
     end_ = SearchEnd::kDiverged, done_ = true;
-    reason_ = "displacements ran away at F = " + format(factor);
+    reason_ = "displacements ran away at F = " + number_text(factor);
     co_return;
   }
   if (trial.verdict == Verdict::kStable) {
@@ -91,9 +106,9 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
 /// A factor that could not be decided is no verdict: another one is tried beside it, a few times.
 void GridSearch::set_aside(const Trial& trial) {
   constexpr int kMost = 4;
-  reason_ = "at F = " + format(trial.strength_reduction_factor) +
+  reason_ = "at F = " + number_text(trial.strength_reduction_factor) +
             " neither equilibrium nor steady failure showed within " + std::to_string(trial.steps) +
-            " steps (unbalanced force ratio " + format(trial.unbalanced_force_ratio) + ")";
+            " steps (unbalanced force ratio " + number_text(trial.unbalanced_force_ratio) + ")";
   if (++undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
 }
 
@@ -188,8 +203,7 @@ Slices GridSearch::fast_bracket() {
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
     if (done_ || verdict_ == Verdict::kStable) break;
     if (low <= options_.srf_min && verdict_ == Verdict::kFailed) {
-      end_ = SearchEnd::kBelowMin, done_ = true;
-      reason_ = "the slope fails even at the lowest strength reduction factor asked, " + format(options_.srf_min);
+      end_below();
       co_return;
     }
     low = std::max(options_.srf_min, notched(low - step));
@@ -200,17 +214,14 @@ Slices GridSearch::fast_bracket() {
     if (verdict_ == Verdict::kUndecided) simulation_.restore(*standing_);
     for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};
     if (!done_ && verdict_ == Verdict::kStable && high >= options_.srf_max) {
-      end_ = SearchEnd::kAboveMax, done_ = true;
-      reason_ = "the slope stands even at the highest strength reduction factor asked, " + format(options_.srf_max);
+      end_above();
       co_return;
     }
   }
   // between a standing and a failing factor further apart than asked: halve, from the last state at rest
   while (!done_ && !closed()) {
     simulation_.restore(*standing_);
-    // beside the middle after an undecided trial there
-    const double middle = (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
-    for (Slices s = try_factor(notched(middle + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
+    for (Slices s = try_factor(notched(middle() + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
   if (!done_ && softened_)
     for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
@@ -230,8 +241,7 @@ Slices GridSearch::upper_end_from_gravity() {
   }
   while (!done_ && !closed()) {
     simulation_.restore(*gravity_);
-    const double middle = (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
-    for (Slices s = try_factor(notched(middle + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
+    for (Slices s = try_factor(notched(middle() + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
   // where gravity alone cannot tell, the failure shown through the flow stands
   if (done_ && end_ == SearchEnd::kNotConverged && through_flow - stable_ <= options_.tolerance * (1 + 1e-9) &&
@@ -255,19 +265,16 @@ Slices GridSearch::bisection() {
     }
     const bool stood = verdict_ == Verdict::kStable;
     if (stood && factor >= options_.srf_max) {
-      end_ = SearchEnd::kAboveMax, done_ = true;
-      reason_ = "the slope stands even at the highest strength reduction factor asked, " + format(options_.srf_max);
+      end_above();
     }
     if (!stood && factor <= options_.srf_min) {
-      end_ = SearchEnd::kBelowMin, done_ = true;
-      reason_ = "the slope fails even at the lowest strength reduction factor asked, " + format(options_.srf_min);
+      end_below();
     }
     factor = std::clamp(stood ? factor * step : factor / step, options_.srf_min, options_.srf_max);
   }
   while (!done_ && !closed()) {
     from_gravity();
-    const double middle = (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
-    for (Slices s = try_factor(middle, Phase::kFailedEnd); s.next();) co_yield Pause{};
+    for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
 }
 
@@ -277,8 +284,7 @@ Slices GridSearch::run() {
   if (!options_.careful) {
     for (Slices s = follow(); s.next();) co_yield Pause{};
     if (std::isnan(flow_) && stable_ >= options_.srf_max) {
-      end_ = SearchEnd::kAboveMax;
-      reason_ = "the slope stands even at the highest strength reduction factor asked, " + format(options_.srf_max);
+      end_above();
       co_return;
     }
   }

@@ -42,6 +42,9 @@ class GridSearch {
   Slices try_factor(double factor, Phase phase);
   void set_factor(double factor);
   double notched(double factor) const;
+  double middle() const;
+  void end_below();
+  void end_above();
   void set_aside(const Trial& trial);
   bool closed() const { return failed_ - stable_ <= options_.tolerance * (1 + 1e-9); }
 

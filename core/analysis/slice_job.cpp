@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analysis/format.h"
+#include "scene/wording.h"
 
 namespace vbgpd {
 
@@ -71,8 +71,8 @@ void SliceJob::set(std::string_view name, double value) {
     if (!(value >= o.min_value && value <= o.max_value)) {
       Issue issue;
       issue.status = Status::kRange, issue.object = ObjectKind::kJob, issue.value = value;
-      issue.text = std::string(name) + " = " + format(value) + ": must be in [" + format(o.min_value) + ", " +
-                   format(o.max_value) + "]";
+      issue.text = std::string(name) + " = " + number_text(value) + ": must be in [" + number_text(o.min_value) + ", " +
+                   number_text(o.max_value) + "]";
       throw Error(issue);
     }
     options_[o.name] = value;

@@ -1,9 +1,9 @@
 // The factor of safety by strength reduction on one to three grids, extrapolated, with its slip surface.
 #include <cmath>
 
-#include "analysis/format.h"
 #include "analysis/grid_search.h"
 #include "analysis/slice_job.h"
+#include "scene/wording.h"
 
 namespace vbgpd {
 
@@ -167,7 +167,7 @@ class StrengthReductionJob final : public SliceJob {
     const Vec2 misfit = simulation_.section().lattice.misfit;
     if (misfit.maxCoeff() > 0.1) {
       result_.error_estimate = std::max(result_.error_estimate, difference + 3 * half);
-      result_.reason += "; key lines lie up to " + format(misfit.maxCoeff(), 2) +
+      result_.reason += "; key lines lie up to " + number_text(misfit.maxCoeff(), 2) +
                         " of a coarse cell off the cell edges, so the estimate is widened";
     }
   }
@@ -186,7 +186,7 @@ class StrengthReductionJob final : public SliceJob {
     result_.status = "NOT_FIRST_ORDER";
     result_.factor_of_safety = fine;
     result_.error_estimate = difference + 3 * half;
-    result_.reason = "the three grids do not differ at first order (ratio " + format(ratio, 3) +
+    result_.reason = "the three grids do not differ at first order (ratio " + number_text(ratio, 3) +
                      ", first order is 1.41): the value of the finest grid is given, not extrapolated";
   }
 };

@@ -7,15 +7,12 @@
 #include <string>
 
 #include "base/types.h"
+#include "scene/wording.h"
 
 namespace vbgpd {
 
 /// Six significant digits.
-inline std::string number(Real value) {
-  char text[64];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
-  return {text, end};
-}
+inline std::string number(Real value) { return number_text(value); }
 
 /// With fixed decimals that resolve about 1/1000 of `extent`: 31.20 in a section 60 m wide.
 inline std::string coordinate(Real value, Real extent) {

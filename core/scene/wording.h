@@ -11,10 +11,10 @@
 
 namespace vbgpd {
 
-/// Six significant digits, the same in every locale: 0.5, 20000, 1e+06, nan.
-inline std::string number_text(double value) {
+/// So many significant digits, the same in every locale: 0.5, 20000, 1e+06, nan.
+inline std::string number_text(double value, int digits = 6) {
   char buffer[40];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 6).ptr;
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
   return {buffer, end};
 }
 

@@ -59,7 +59,7 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.volume = m.volume.data(), d.share = m.share.data();
   d.moment_xx = m.moment_xx.data(), d.moment_xy = m.moment_xy.data(), d.moment_yy = m.moment_yy.data();
   d.force_x = m.force_x.data(), d.force_y = m.force_y.data(), d.free_x = m.free_x.data(), d.free_y = m.free_y.data();
-  d.extra_cohesion = m.extra_cohesion.data(), d.material = m.material.data(), d.materials = m.materials;
+  d.extra_cohesion = m.extra_cohesion.data();
   d.uses_algorithm[0] = m.features.has_algorithm[0], d.uses_algorithm[1] = m.features.has_algorithm[1];
   d.ux = s.displacement_x.data(), d.uy = s.displacement_y.data(), d.vx = s.velocity_x.data(),
   d.vy = s.velocity_y.data();

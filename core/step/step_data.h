@@ -43,8 +43,6 @@ struct StepData {
   int guided_count;
   const double *volume, *share, *moment_xx, *moment_xy, *moment_yy, *force_x, *force_y, *free_x, *free_y,
       *extra_cohesion;
-  const std::int32_t* material;
-  int materials;
   bool uses_algorithm[2];
   // state
   double *ux, *uy, *vx, *vy, *plastic_volume, *plastic_strain;
