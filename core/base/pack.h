@@ -35,7 +35,12 @@ using Mask [[gnu::vector_size(kWidth * sizeof(double))]] = std::int64_t;
 
 VBGPD_INLINE Pack load(const double* p) { return *reinterpret_cast<const PackU*>(p); }
 VBGPD_INLINE void store(double* p, Pack v) { *reinterpret_cast<PackU*>(p) = v; }
-VBGPD_INLINE Pack broadcast(double v) { return Pack{} + v; }
+/// v in every lane (v - 0 is v, also for -0, so nothing is computed).
+template <class R>
+VBGPD_INLINE R filled(double v) {
+  return v - R{};
+}
+VBGPD_INLINE Pack broadcast(double v) { return filled<Pack>(v); }
 
 VBGPD_INLINE Pack select(Mask m, Pack a, Pack b) { return m ? a : b; }
 VBGPD_INLINE double select(bool m, double a, double b) { return m ? a : b; }

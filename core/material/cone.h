@@ -15,13 +15,13 @@ struct Cone {
   double shear, bulk, a, b, t;
   R k;  ///< differs between lanes where cohesion grows with depth
   VBGPD_INLINE explicit Cone(const LawConstants& c)
-      : shear(c.shear_modulus), bulk(c.bulk_modulus), a(c.a), b(c.b), t(c.t), k(R{} + c.k) {}
+      : shear(c.shear_modulus), bulk(c.bulk_modulus), a(c.a), b(c.b), t(c.t), k(filled<R>(c.k)) {}
 
   /// Closed-form return (method 4.3): mean stress capped at t, then
   ///   dlambda = f / (G + 9 K alpha_phi alpha_psi),  sqrt(J2) -= G dlambda,  m -= 3 K alpha_psi dlambda,
   /// and the apex where sqrt(J2) would turn negative. Exact: a second return changes nothing.
   VBGPD_INLINE Returned<R> returned(const Stress<R>& trial) const {
-    const R m_cap = smaller(trial.m, R{} + t);
+    const R m_cap = smaller(trial.m, filled<R>(t));
     const R limit = k - a * m_cap;  // strength at the capped mean stress
     const R j2 = trial.j2();
     const auto yields = (j2 > limit * limit) | (trial.m > t);
@@ -29,8 +29,7 @@ struct Cone {
     if (!any(yields)) return {trial, zero, false};
     const R root_j2 = root(j2);
     if (b == 0) {  // isochoric flow: the deviator shrinks onto the cone at the capped mean stress
-      const R one = R{} + 1.0;
-      const R ratio = select(root_j2 > limit, larger(limit, zero) / select(root_j2 > zero, root_j2, one), one);
+      const R ratio = smaller(larger(limit, zero) / larger(root_j2, filled<R>(1e-300)), filled<R>(1.0));
       return {{trial.xx * ratio, trial.yy * ratio, trial.xy * ratio, m_cap}, zero, true};
     }
     const R excess = larger(root_j2 - limit, zero);
@@ -43,7 +42,7 @@ struct Cone {
     root_new = select(apex, zero, root_new);
     m_new = select(apex, k / larger(a, 1e-300), m_new);
     const auto sheared = root_j2 > zero;
-    const R ratio = select(sheared & yields, root_new / select(sheared, root_j2, R{} + 1.0), R{} + 1.0);
+    const R ratio = select(sheared & yields, root_new / select(sheared, root_j2, filled<R>(1.0)), filled<R>(1.0));
     const R dilated = dilation * select(apex, root_j2 / shear, lambda);
     return {{trial.xx * ratio, trial.yy * ratio, trial.xy * ratio, select(yields, m_new, trial.m)},
             select(yields, dilated, zero),

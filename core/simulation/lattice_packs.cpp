@@ -76,6 +76,26 @@ struct LatticeOffset {
   int major, minor;
 };
 
+/// Bonds of consecutive packs should not end in the same cells: a load that overlaps a store not yet written waits for
+/// it. Greedy: next comes the offset whose last overlapping predecessor lies furthest back.
+std::vector<LatticeOffset> spread(std::vector<LatticeOffset> rest, int width) {
+  std::vector<LatticeOffset> order;
+  while (!rest.empty()) {
+    const auto age = [&](LatticeOffset o) {
+      for (std::size_t back = 1; back <= order.size(); ++back) {
+        const LatticeOffset earlier = order[order.size() - back];
+        if (earlier.major == o.major && std::abs(earlier.minor - o.minor) < width) return back;
+      }
+      return order.size() + 1;
+    };
+    const auto next =
+        std::max_element(rest.begin(), rest.end(), [&](LatticeOffset p, LatticeOffset q) { return age(p) < age(q); });
+    order.push_back(*next);
+    rest.erase(next);
+  }
+  return order;
+}
+
 /// Offsets within the support 2h, forward ones (higher storage index) first, nearest first; then their opposites.
 std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& lattice, const AnyKernel& kernel, Real h,
                                         Model& m) {
@@ -90,6 +110,7 @@ std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& l
   std::sort(forward.begin(), forward.end(), [](LatticeOffset p, LatticeOffset q) {
     return std::array{p.major, p.minor} < std::array{q.major, q.minor};
   });
+  forward = spread(forward, m.width);
   std::vector<LatticeOffset> all = forward;
   for (LatticeOffset o : forward) all.push_back({-o.major, -o.minor});
   m.forward_offsets = static_cast<int>(forward.size());
@@ -100,6 +121,8 @@ std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& l
     g.xi_y = columns.along_x() ? a : b;
     g.weight = value(kernel, std::hypot(a, b), h);
     g.inverse_r2 = 1 / (a * a + b * b);
+    g.n_x = g.xi_x * g.inverse_r2, g.n_y = g.xi_y * g.inverse_r2;
+    g.g_x = g.weight * g.xi_x, g.g_y = g.weight * g.xi_y;
     m.offsets.push_back(g);
   }
   return all;
@@ -260,6 +283,7 @@ void build_operators(Model& m) {
   m.share.allocate(n, 1);
   m.moment_xx.allocate(n, 2), m.moment_xy.allocate(n, 3), m.moment_yy.allocate(n, 4);
   m.scaled_mass.allocate(n, 5);
+  m.sum_x.allocate(n, 6), m.sum_y.allocate(n, 7);
   const auto each_neighbour = [&](auto&& f) {
     for (const Block& block : m.blocks)
       for (int l = 0; l < m.width; ++l) {
@@ -279,6 +303,7 @@ void build_operators(Model& m) {
     const Vec2 xi(o.xi_x, o.xi_y);
     omega0[i] += o.weight * m.volume[j];
     moment[i] += o.weight * m.volume[j] * xi * xi.transpose();
+    m.sum_x[i] += m.volume[j] * o.g_x, m.sum_y[i] += m.volume[j] * o.g_y;
   });
   for (std::size_t i = 0; i < n; ++i) {
     if (m.seed_of[i] < 0 || !(omega0[i] > 0)) continue;

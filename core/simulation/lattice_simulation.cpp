@@ -58,6 +58,8 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.guided = m.guided.data(), d.guided_count = static_cast<int>(m.guided.size());
   d.volume = m.volume.data(), d.share = m.share.data();
   d.moment_xx = m.moment_xx.data(), d.moment_xy = m.moment_xy.data(), d.moment_yy = m.moment_yy.data();
+  d.sum_x = m.sum_x.data(), d.sum_y = m.sum_y.data();
+  d.weighted_x = t.weighted_x.data(), d.weighted_y = t.weighted_y.data();
   d.force_x = m.force_x.data(), d.force_y = m.force_y.data(), d.free_x = m.free_x.data(), d.free_y = m.free_y.data();
   d.extra_cohesion = m.extra_cohesion.data();
   d.uses_algorithm[0] = m.features.has_algorithm[0], d.uses_algorithm[1] = m.features.has_algorithm[1];

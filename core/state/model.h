@@ -41,6 +41,7 @@ struct Model {
   Array volume;                           ///< m2; 0 in padding
   Array share;                            ///< V_i / omega0_i, m4
   Array moment_xx, moment_xy, moment_yy;  ///< M_i^-1 of VB1, m-2... per particle
+  Array sum_x, sum_y;                     ///< sum_j V_j omega_ij xi_ij, m (0 in the bulk)
   Array force_x, force_y;                 ///< external force: weight, seismic, surface loads, N
   Array free_x, free_y;                   ///< 1 where the particle may move, 0 where a wall holds it
   Array mass;                             ///< true mass, kg
@@ -87,6 +88,7 @@ struct State {
 
 /// What a step writes before it reads it: nothing to save.
 struct Scratch {
+  Array weighted_x, weighted_y;                              ///< V_i u_i, m3
   Array gradient_xx, gradient_xy, gradient_yx, gradient_yy;  ///< L_i (of the displacement, total form)
   Array dilation;                                            ///< elastic volumetric strain tr L_i - theta^p_i
   Array flux_xx, flux_xy, flux_yx, flux_yy;                  ///< V_i S_i of VB5, then Z_i = V_i S_i M_i^-1 / V_i

@@ -11,6 +11,8 @@ struct Offset {
   double xi_x = 0, xi_y = 0;  ///< X_j - X_i, m
   double weight = 0;          ///< omega_ij = W(r), 1/m2
   double inverse_r2 = 0;      ///< 1/m2
+  double n_x = 0, n_y = 0;    ///< xi / r^2, 1/m
+  double g_x = 0, g_y = 0;    ///< omega_ij xi, 1/m
 };
 
 /// `width` bonds between particles i.. and j.., all of one pair of materials. Sorted by return algorithm, then block.

@@ -16,8 +16,8 @@ std::size_t bytes_of(const std::vector<T>& v) {
 std::size_t Model::bytes() const {
   std::size_t sum = bytes_of(offsets) + bytes_of(blocks) + bytes_of(neighbours) + bytes_of(packs) + bytes_of(chunks) +
                     bytes_of(guided) + bytes_of(material) + bytes_of(seed_of) + bytes_of(storage_of) + bytes_of(id_of);
-  for (const Array* a : {&volume, &share, &moment_xx, &moment_xy, &moment_yy, &force_x, &force_y, &free_x, &free_y,
-                         &mass, &scaled_mass, &extra_cohesion})
+  for (const Array* a : {&volume, &share, &moment_xx, &moment_xy, &moment_yy, &sum_x, &sum_y, &force_x, &force_y,
+                         &free_x, &free_y, &mass, &scaled_mass, &extra_cohesion})
     sum += a->bytes();
   return sum;
 }
@@ -57,8 +57,8 @@ std::uint64_t State::hash() const {
 void Scratch::allocate(const Model& m) {
   const auto n = static_cast<std::size_t>(m.storage);
   int stagger = 7;
-  for (Array* a : {&gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation, &flux_xx, &flux_xy, &flux_yx,
-                   &flux_yy, &pair_force_x, &pair_force_y})
+  for (Array* a : {&weighted_x, &weighted_y, &gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation,
+                   &flux_xx, &flux_xy, &flux_yx, &flux_yy, &pair_force_x, &pair_force_y})
     a->allocate(n, stagger++);
   volume_source.allocate(m.features.volumetric_plastic ? n : 0, stagger++);
   if (m.features.bond == BondLaw::kNone) pair_force_x.allocate(0, 0), pair_force_y.allocate(0, 0);
@@ -66,8 +66,8 @@ void Scratch::allocate(const Model& m) {
 
 std::size_t Scratch::bytes() const {
   std::size_t sum = 0;
-  for (const Array* a : {&gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation, &flux_xx, &flux_xy,
-                         &flux_yx, &flux_yy, &pair_force_x, &pair_force_y, &volume_source})
+  for (const Array* a : {&weighted_x, &weighted_y, &gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation,
+                         &flux_xx, &flux_xy, &flux_yx, &flux_yy, &pair_force_x, &pair_force_y, &volume_source})
     sum += a->bytes();
   return sum;
 }

@@ -10,20 +10,35 @@
 namespace vbgpd {
 inline namespace VBGPD_ISA {
 
-/// One pack of bonds while it is worked on.
-struct BondStrain {
-  Pack xx, yy, xy;  ///< sym L_ij, in-plane part
+/// What a bond needs of one of its ends: displacement and its gradient, elastic dilation, volume, V / omega0.
+struct BondEnd {
+  Pack ux, uy, lxx, lxy, lyx, lyy, dilation, volume, share;
 };
-
-/// VB2: L_ij = Lbar + (du/r - Lbar n) (x) n stretches the bond exactly; its symmetric part.
-VBGPD_INLINE BondStrain bond_strain(const StepData& d, const Offset& o, int i, int j) {
-  const Pack bxx = (load(d.lxx + i) + load(d.lxx + j)) * 0.5, bxy = (load(d.lxy + i) + load(d.lxy + j)) * 0.5;
-  const Pack byx = (load(d.lyx + i) + load(d.lyx + j)) * 0.5, byy = (load(d.lyy + i) + load(d.lyy + j)) * 0.5;
-  const Pack cx = load(d.ux + j) - load(d.ux + i) - bxx * o.xi_x - bxy * o.xi_y;
-  const Pack cy = load(d.uy + j) - load(d.uy + i) - byx * o.xi_x - byy * o.xi_y;
-  const double nx = o.xi_x * o.inverse_r2, ny = o.xi_y * o.inverse_r2;
-  return {bxx + cx * nx, byy + cy * ny, (bxy + byx + cx * ny + cy * nx) * 0.5};
+VBGPD_INLINE BondEnd bond_end(const StepData& d, int i) {
+  return {load(d.ux + i),  load(d.uy + i),       load(d.lxx + i),    load(d.lxy + i),  load(d.lyx + i),
+          load(d.lyy + i), load(d.dilation + i), load(d.volume + i), load(d.share + i)};
 }
+
+/// Twice the symmetric bond strain (VB2): L_ij = Lbar + (du/r - Lbar n) (x) n stretches the bond exactly.
+struct BondStrain {
+  Pack xx, yy, xy;
+};
+VBGPD_INLINE BondStrain twice_bond_strain(const BondEnd& a, const StepData& d, int j, const Offset& o) {
+  const double half_x = 0.5 * o.xi_x, half_y = 0.5 * o.xi_y;
+  const Pack sxx = a.lxx + load(d.lxx + j), sxy = a.lxy + load(d.lxy + j);
+  const Pack syx = a.lyx + load(d.lyx + j), syy = a.lyy + load(d.lyy + j);
+  const Pack cx = (load(d.ux + j) - a.ux) - sxx * half_x - sxy * half_y;
+  const Pack cy = (load(d.uy + j) - a.uy) - syx * half_x - syy * half_y;
+  const double nx = 2 * o.n_x, ny = 2 * o.n_y;
+  return {sxx + cx * nx, syy + cy * ny, (sxy + syx) * 0.5 + cx * o.n_y + cy * o.n_x};
+}
+
+/// A pack of bonds while it is worked on: stress, first trial, then returned, then times half the bond volume.
+struct BondWork {
+  Stress<Pack> stress;
+  Pack half;    ///< B_ij/2 = V_i V_j w~_ij; 0 where a lane is no bond
+  Pack source;  ///< plastic dilation times B_ij/2
+};
 
 /// Cohesion that grows with depth is added to the strength of the pair.
 template <class LawOnPacks>
@@ -34,97 +49,104 @@ VBGPD_INLINE void add_cohesion(LawOnPacks& law, const StepData& d, const Control
   law.k += extra;
 }
 
-/// Sums over the bonds of one particle pack.
-struct BondSums {
-  Pack zxx{}, zxy{}, zyx{}, zyy{};  ///< V_i S_i
-  Pack fx{}, fy{};                  ///< sum of B_ij s_ij n_ij / r
-  Pack source{};                    ///< volume that turned plastic
-};
-
-/// Adds the sums of a pack of bonds to the particles from `first` on; the pair force with the sign of the end.
-VBGPD_INLINE void add_sums(const StepData& d, int first, const BondSums& s, double sign) {
-  store(d.zxx + first, load(d.zxx + first) + s.zxx), store(d.zxy + first, load(d.zxy + first) + s.zxy);
-  store(d.zyx + first, load(d.zyx + first) + s.zyx), store(d.zyy + first, load(d.zyy + first) + s.zyy);
-  store(d.px + first, load(d.px + first) + sign * s.fx), store(d.py + first, load(d.py + first) + sign * s.fy);
-}
-
-VBGPD_INLINE void add_source(const StepData& d, int first, Pack source) {
-  store(d.volume_source + first, load(d.volume_source + first) + source);
-}
-
-/// One pack of bonds: VB3-VB5. Returns its sums; plastic strain is updated in place, plastic work booked where asked.
-template <template <class> class Law, bool kLedger>
-VBGPD_INLINE BondSums bond_pack(const StepData& d, const Controls& controls, const BondPack& pack,
-                                double& plastic_work) {
+/// VB3: trial stress in total form, from the strain that is not plastic.
+template <class LawOnPacks>
+VBGPD_INLINE void trial_stress(const StepData& d, const BondEnd& a, const BondPack& pack, const LawOnPacks& law,
+                               BondWork& w) {
   const Offset& o = d.offsets[pack.offset];
-  const int i = pack.i, j = pack.j;
-  const LawConstants& constants = controls.constants[pack.pair];
-  Law<Pack> law(constants);
-  if (d.extra_cohesion != nullptr) add_cohesion(law, d, controls, constants, i, j);
-
-  // VB3, VB4: trial stress in total form, returned to the yield surface
-  const BondStrain e = bond_strain(d, o, i, j);
+  const int j = pack.j;
+  const BondStrain e = twice_bond_strain(a, d, j, o);
   const Pack third = (e.xx + e.yy) * (1.0 / 3.0);
-  const double twice_shear = 2.0 * law.shear;
-  double* const record = d.plastic_strain == nullptr ? nullptr : d.plastic_strain + 3l * kWidth * pack.slot;
-  Pack pxx{}, pyy{}, pxy{};
-  if (record != nullptr) pxx = load(record), pyy = load(record + kWidth), pxy = load(record + 2 * kWidth);
-  const Stress<Pack> trial{twice_shear * (e.xx - third - pxx), twice_shear * (e.yy - third - pyy),
-                           twice_shear * (e.xy - pxy),
-                           (0.5 * law.bulk) * (load(d.dilation + i) + load(d.dilation + j))};
+  const double shear = law.shear;
+  w.stress = {shear * (e.xx - third), shear * (e.yy - third), shear * e.xy,
+              (0.5 * law.bulk) * (a.dilation + load(d.dilation + j))};
+  if (d.plastic_strain != nullptr) {
+    const double* const record = d.plastic_strain + 3l * kWidth * pack.slot;
+    w.stress.xx -= 2 * shear * load(record), w.stress.yy -= 2 * shear * load(record + kWidth);
+    w.stress.xy -= 2 * shear * load(record + 2 * kWidth);
+  }
+  // B_ij/2 = omega_ij V_i V_j (1/omega0_i + 1/omega0_j) / 2
+  const Pack half = (a.volume * load(d.share + j) + a.share * load(d.volume + j)) * (0.5 * o.weight);
+  w.half = visible(half, pack.lanes);
+}
+
+/// VB4: return to the yield surface; plastic strain is updated in place, elastic bonds write nothing.
+template <bool kLedger, class LawOnPacks>
+VBGPD_INLINE void return_stress(const StepData& d, const BondPack& pack, const LawOnPacks& law, double compliance,
+                                BondWork& w, double& plastic_work) {
+  const Stress<Pack> trial = w.stress;
   const Returned<Pack> r = law.returned(trial);
   const Stress<Pack>& s = r.stress;
-
-  // B_ij = 2 V_i V_j w~_ij = omega_ij V_i V_j (1/omega0_i + 1/omega0_j)
-  Pack bond_volume = (load(d.volume + i) * load(d.share + j) + load(d.share + i) * load(d.volume + j)) * o.weight;
-  bond_volume = visible(bond_volume, pack.lanes);
-  const Pack half = bond_volume * 0.5;
-
-  BondSums sums;
-  if (r.any && record != nullptr) {  // elastic bonds write nothing
-    const Pack compliance = select(half > Pack{}, Pack{} + 1.0 / twice_shear, Pack{});
-    const Pack dxx = (trial.xx - s.xx) * compliance, dyy = (trial.yy - s.yy) * compliance,
-               dxy = (trial.xy - s.xy) * compliance;
-    store(record, pxx + dxx), store(record + kWidth, pyy + dyy), store(record + 2 * kWidth, pxy + dxy);
-    if (law.b > 0) sums.source = half * r.dilated;
+  const Pack half = w.half;
+  w.source = Pack{};
+  if (r.any && d.plastic_strain != nullptr) {
+    double* const record = d.plastic_strain + 3l * kWidth * pack.slot;
+    const Pack there = select(half > Pack{}, broadcast(compliance), Pack{});
+    const Pack dxx = (trial.xx - s.xx) * there, dyy = (trial.yy - s.yy) * there, dxy = (trial.xy - s.xy) * there;
+    store(record, load(record) + dxx), store(record + kWidth, load(record + kWidth) + dyy);
+    store(record + 2 * kWidth, load(record + 2 * kWidth) + dxy);
+    w.source = half * r.dilated;
     if constexpr (kLedger)
-      plastic_work += lane_sum(
-          bond_volume * (s.xx * (2.0 * dxx + dyy) + s.yy * (2.0 * dyy + dxx) + 2.0 * s.xy * dxy + s.m * r.dilated));
+      plastic_work +=
+          2 *
+          lane_sum(half * (s.xx * (2.0 * dxx + dyy) + s.yy * (2.0 * dyy + dxx) + 2.0 * s.xy * dxy + s.m * r.dilated));
   }
-
-  // VB5: V_i S_i = sum_j B_ij/2 [ s (I - n n^T) + m I ],  pair force B_ij s n / r
-  const Pack tx = s.xx * o.xi_x + s.xy * o.xi_y, ty = s.xy * o.xi_x + s.yy * o.xi_y;
-  const double nx = o.xi_x * o.inverse_r2, ny = o.xi_y * o.inverse_r2;
-  sums.zxx = half * (s.xx - tx * nx + s.m), sums.zxy = half * (s.xy - tx * ny);
-  sums.zyx = half * (s.xy - ty * nx), sums.zyy = half * (s.yy - ty * ny + s.m);
-  sums.fx = bond_volume * tx * o.inverse_r2, sums.fy = bond_volume * ty * o.inverse_r2;
-  return sums;
+  w.stress = {half * s.xx, half * s.yy, half * s.xy, half * s.m};
 }
 
-/// All packs of one return algorithm in a chunk.
-/// in  u, L, dilation   in/out  plastic_strain   out  V_i S_i (added), pair force (added), volume_source (added)
-/// Returns the plastic work of this step where the ledger is kept. Linear momentum is exact: every pair force has its
-/// opposite.
+VBGPD_INLINE void add(double* p, Pack v) { store(p, load(p) + v); }
+
+/// VB5: V_i S_i = sum_j B_ij/2 [ s (I - n n^T) + m I ] of both ends, pair force B_ij s n / r with opposite signs.
+VBGPD_INLINE void add_loads(const StepData& d, int i, const BondPack* packs, const BondWork* loads, int count,
+                            bool sourced) {
+  Pack zxx{}, zxy{}, zyx{}, zyy{}, px{}, py{};  // added at the end: both ends may share particles
+  for (int p = 0; p < count; ++p) {
+    const Offset& o = d.offsets[packs[p].offset];
+    const Stress<Pack>& s = loads[p].stress;
+    const int j = packs[p].j;
+    const Pack tx = s.xx * o.xi_x + s.xy * o.xi_y, ty = s.xy * o.xi_x + s.yy * o.xi_y;
+    const Pack sxx = (s.xx + s.m) - tx * o.n_x, sxy = s.xy - tx * o.n_y;
+    const Pack syx = s.xy - ty * o.n_x, syy = (s.yy + s.m) - ty * o.n_y;
+    const Pack fx = tx * (2 * o.inverse_r2), fy = ty * (2 * o.inverse_r2);
+    zxx += sxx, zxy += sxy, zyx += syx, zyy += syy, px += fx, py += fy;
+    add(d.zxx + j, sxx), add(d.zxy + j, sxy), add(d.zyx + j, syx), add(d.zyy + j, syy);
+    add(d.px + j, -fx), add(d.py + j, -fy);
+  }
+  add(d.zxx + i, zxx), add(d.zxy + i, zxy), add(d.zyx + i, zyx), add(d.zyy + i, zyy);
+  add(d.px + i, px), add(d.py + i, py);
+  if (!sourced) return;
+  Pack own{};
+  for (int p = 0; p < count; ++p) own += loads[p].source, add(d.volume_source + packs[p].j, loads[p].source);
+  add(d.volume_source + i, own);
+}
+
 template <template <class> class Law, bool kLedger>
-inline double bond_pass(const StepData& shared, const Controls& controls, const Chunk& chunk) {
+inline double bond_pass(const StepData& shared, const Controls& shared_controls, const Chunk& chunk) {
   const StepData d = shared;  // a copy nobody else can see: its pointers stay in registers across stores
+  const Controls controls = shared_controls;
   constexpr int algorithm = Law<Pack>::kAlgorithm;
+  constexpr int kMost = 16;
   double plastic_work = 0;
   const bool sourced = d.volume_source != nullptr;
   const int end = chunk.packs_end[algorithm];
+  BondWork work[kMost];
   for (int p = chunk.packs_begin[algorithm]; p < end;) {
-    // the bonds of one block share their first end: its sums stay in registers
-    const int i = d.packs[p].i;
-    BondSums own;
-    for (; p < end && d.packs[p].i == i; ++p) {
-      const BondPack& pack = d.packs[p];
-      const BondSums s = bond_pack<Law, kLedger>(d, controls, pack, plastic_work);
-      own.zxx += s.zxx, own.zxy += s.zxy, own.zyx += s.zyx, own.zyy += s.zyy, own.fx += s.fx, own.fy += s.fy;
-      add_sums(d, pack.j, s, -1);
-      if (sourced && controls.constants[pack.pair].b > 0) own.source += s.source, add_source(d, pack.j, s.source);
+    // a batch: bonds of one block, sharing their first end, and of one pair of materials
+    const BondPack* const batch = d.packs + p;
+    int count = 1;
+    while (p + count < end && batch[count].i == batch->i && batch[count].pair == batch->pair && count < kMost) ++count;
+    const LawConstants constants = controls.constants[batch->pair];
+    const double compliance = 0.5 / constants.shear_modulus;
+    Law<Pack> law(constants);
+    const BondEnd a = bond_end(d, batch->i);
+    for (int n = 0; n < count; ++n) trial_stress(d, a, batch[n], law, work[n]);
+    for (int n = 0; n < count; ++n) {
+      Law<Pack> own = law;
+      if (d.extra_cohesion != nullptr) add_cohesion(own, d, controls, constants, batch->i, batch[n].j);
+      return_stress<kLedger>(d, batch[n], own, compliance, work[n], plastic_work);
     }
-    add_sums(d, i, own, 1);
-    if (sourced) add_source(d, i, own.source);
+    add_loads(d, batch->i, batch, work, count, sourced);
+    p += count;
   }
   return plastic_work;
 }

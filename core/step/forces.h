@@ -2,46 +2,39 @@
 #pragma once
 
 #include "base/pack.h"
-#include "step/lanes.h"
+#include "step/neighbours.h"
 #include "step/step_data.h"
 
 namespace vbgpd {
 inline namespace VBGPD_ISA {
 
-/// Z_i = V_i S_i M_i^-1 / V_i, so that V_i S_i Phi_ij - V_j S_j Phi_ji = omega_ij V_i V_j (Z_i + Z_j) xi_ij and Phi is
-/// never stored. Also turns this step's plastic volume into plastic volumetric strain of the particle.
+/// Z_i = V_i S_i M_i^-1, so that V_i S_i Phi_ij - V_j S_j Phi_ji = omega_ij (V_j Z_i + V_i Z_j) xi_ij and Phi is never
+/// stored. Also turns this step's plastic volume into plastic volumetric strain of the particle.
 inline void flux_pass(const StepData& shared, const Chunk& chunk) {
   const StepData d = shared;
   for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
     const int i = d.blocks[b].first;
-    const Pack volume = load(d.volume + i);
-    const Pack inverse = 1.0 / select(volume > Pack{}, volume, Pack{} + 1.0);
-    const Pack mxx = load(d.moment_xx + i) * inverse, mxy = load(d.moment_xy + i) * inverse,
-               myy = load(d.moment_yy + i) * inverse;
+    const Pack mxx = load(d.moment_xx + i), mxy = load(d.moment_xy + i), myy = load(d.moment_yy + i);
     const Pack sxx = load(d.zxx + i), sxy = load(d.zxy + i), syx = load(d.zyx + i), syy = load(d.zyy + i);
     store(d.zxx + i, sxx * mxx + sxy * mxy), store(d.zxy + i, sxx * mxy + sxy * myy);
     store(d.zyx + i, syx * mxx + syy * mxy), store(d.zyy + i, syx * mxy + syy * myy);
-    if (d.volume_source != nullptr)
-      store(d.plastic_volume + i, load(d.plastic_volume + i) + load(d.volume_source + i) * inverse);
+    if (d.volume_source == nullptr) continue;
+    const Pack volume = load(d.volume + i);
+    const Pack dilated = load(d.volume_source + i) / select(volume > Pack{}, volume, broadcast(1.0));
+    store(d.plastic_volume + i, load(d.plastic_volume + i) + dilated);
   }
 }
 
-/// Internal force of VB5 on the particles of a block.
+/// Internal force of VB5 on the particles of a block: V_i sum_j Z_j omega_ij xi_ij + Z_i sum_j V_j omega_ij xi_ij.
 VBGPD_INLINE void internal_force(const StepData& d, const Block& block, Pack& fx, Pack& fy) {
   const int i = block.first;
-  const Pack zxx = load(d.zxx + i), zxy = load(d.zxy + i), zyx = load(d.zyx + i), zyy = load(d.zyy + i);
-  Pack gx{}, gy{};
-  for (int n = block.neighbours_begin; n < block.neighbours_end; ++n) {
-    const NeighbourPack& neighbour = d.neighbours[n];
-    const Offset& o = d.offsets[neighbour.offset];
-    const int j = neighbour.j;
-    const Pack volume = visible(load(d.volume + j), neighbour.lanes);
-    const Pack wx = volume * (o.weight * o.xi_x), wy = volume * (o.weight * o.xi_y);
-    gx += (zxx + load(d.zxx + j)) * wx + (zxy + load(d.zxy + j)) * wy;
-    gy += (zyx + load(d.zyx + j)) * wx + (zyy + load(d.zyy + j)) * wy;
-  }
-  const Pack volume = load(d.volume + i);
-  fx = volume * gx, fy = volume * gy;
+  const TensorSum sum = over_neighbours(d, block, [&](TensorSum& s, int j, Pack gx, Pack gy) {
+    s.xx += load(d.zxx + j) * gx, s.xy += load(d.zxy + j) * gy;
+    s.yx += load(d.zyx + j) * gx, s.yy += load(d.zyy + j) * gy;
+  });
+  const Pack volume = load(d.volume + i), sum_x = load(d.sum_x + i), sum_y = load(d.sum_y + i);
+  fx = volume * (sum.xx + sum.xy) + (load(d.zxx + i) * sum_x + load(d.zxy + i) * sum_y);
+  fy = volume * (sum.yx + sum.yy) + (load(d.zyx + i) * sum_x + load(d.zyy + i) * sum_y);
   if (d.px != nullptr) fx += load(d.px + i), fy += load(d.py + i);
 }
 
@@ -65,10 +58,10 @@ inline Sums move_pass(const StepData& shared, const Controls& shared_controls, c
     external_power += ex * vx + ey * vy;
     // local damping (FLAC): f_d = -alpha |f| sgn v
     const Pack zero{};
-    const Pack dx =
-        -c.local_damping * magnitude(fx) * (select(vx > zero, zero + 1.0, zero) - select(vx < zero, zero + 1.0, zero));
-    const Pack dy =
-        -c.local_damping * magnitude(fy) * (select(vy > zero, zero + 1.0, zero) - select(vy < zero, zero + 1.0, zero));
+    const Pack dx = -c.local_damping * magnitude(fx) *
+                    (select(vx > zero, broadcast(1.0), zero) - select(vx < zero, broadcast(1.0), zero));
+    const Pack dy = -c.local_damping * magnitude(fy) *
+                    (select(vy > zero, broadcast(1.0), zero) - select(vy < zero, broadcast(1.0), zero));
     const Pack nx = c.momentum * vx + c.time_step * load(c.mobility_x + i) * (fx + dx);
     const Pack ny = c.momentum * vy + c.time_step * load(c.mobility_y + i) * (fy + dy);
     const Pack ux = load(d.ux + i) + c.time_step * nx, uy = load(d.uy + i) + c.time_step * ny;

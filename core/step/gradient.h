@@ -1,12 +1,23 @@
-// Particle displacement gradients (VB1, VB2) in total form: L_i = sum_j V_j omega_ij (u_j - u_i) (x) xi_ij . M_i^-1.
+// Particle displacement gradients (VB1, VB2) in total form: L_i = sum_j V_j omega_ij (u_j - u_i) (x) xi_ij . M_i^-1,
+// summed as sum_j (V_j u_j) (x) omega_ij xi_ij - u_i (x) sum_j V_j omega_ij xi_ij, whose last factor never changes.
 #pragma once
 
 #include "base/pack.h"
-#include "step/lanes.h"
+#include "step/neighbours.h"
 #include "step/step_data.h"
 
 namespace vbgpd {
 inline namespace VBGPD_ISA {
+
+/// V_i u_i, which all sums over neighbours share.
+inline void weigh_pass(const StepData& shared, const Chunk& chunk) {
+  const StepData d = shared;
+  for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
+    const int i = d.blocks[b].first;
+    const Pack volume = load(d.volume + i);
+    store(d.weighted_x + i, volume * load(d.ux + i)), store(d.weighted_y + i, volume * load(d.uy + i));
+  }
+}
 
 /// Mean stress above the tension cut-off (or the apex) opens the particle: theta^p grows at once. Handing such volume
 /// to neighbours through the bonds, as dilatancy is, would pump energy into those under pressure (measured:
@@ -18,17 +29,14 @@ inline void gradient_pass(const StepData& shared, const Controls& c, const Chunk
   for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
     const Block& block = d.blocks[b];
     const int i = block.first;
-    const Pack ux = load(d.ux + i), uy = load(d.uy + i);
-    Pack axx = zero, axy = zero, ayx = zero, ayy = zero;
-    for (int n = block.neighbours_begin; n < block.neighbours_end; ++n) {
-      const NeighbourPack& neighbour = d.neighbours[n];
-      const Offset& o = d.offsets[neighbour.offset];
-      const Pack volume = visible(load(d.volume + neighbour.j), neighbour.lanes);
-      const Pack wx = volume * (o.weight * o.xi_x), wy = volume * (o.weight * o.xi_y);
-      const Pack dx = load(d.ux + neighbour.j) - ux, dy = load(d.uy + neighbour.j) - uy;
-      axx += dx * wx, axy += dx * wy;
-      ayx += dy * wx, ayy += dy * wy;
-    }
+    const TensorSum sum = over_neighbours(d, block, [&](TensorSum& s, int j, Pack gx, Pack gy) {
+      const Pack wx = load(d.weighted_x + j), wy = load(d.weighted_y + j);
+      s.xx += wx * gx, s.xy += wx * gy;
+      s.yx += wy * gx, s.yy += wy * gy;
+    });
+    const Pack ux = load(d.ux + i), uy = load(d.uy + i), sum_x = load(d.sum_x + i), sum_y = load(d.sum_y + i);
+    const Pack axx = sum.xx - ux * sum_x, axy = sum.xy - ux * sum_y;
+    const Pack ayx = sum.yx - uy * sum_x, ayy = sum.yy - uy * sum_y;
     const Pack mxx = load(d.moment_xx + i), mxy = load(d.moment_xy + i), myy = load(d.moment_yy + i);
     const Pack lxx = axx * mxx + axy * mxy, lyy = ayx * mxy + ayy * myy;
     store(d.lxx + i, lxx);

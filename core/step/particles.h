@@ -30,7 +30,7 @@ VBGPD_INLINE double particle_stress(const StepData& d, const Controls& controls,
   const Pack volume = visible(load(d.volume + i), lanes);
   double plastic_work = 0;
   if (r.any && record != nullptr) {
-    const Pack compliance = select(volume > Pack{}, Pack{} + 1.0 / twice_shear, Pack{});
+    const Pack compliance = select(volume > Pack{}, broadcast(1.0) / twice_shear, Pack{});
     const Pack dxx = (trial.xx - s.xx) * compliance, dyy = (trial.yy - s.yy) * compliance,
                dxy = (trial.xy - s.xy) * compliance;
     store(record, pxx + dxx), store(record + kWidth, pyy + dyy), store(record + 2 * kWidth, pxy + dxy);

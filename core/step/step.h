@@ -33,6 +33,7 @@ void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial,
   const int chunks = d.chunk_count;
 
   // particle displacement gradients                                                        VB1, VB2
+  workers.run(0, 1, chunks, [&](int k) { weigh_pass(d, d.chunks[k]); });
   workers.run(0, 1, chunks, [&](int k) { gradient_pass(d, c, d.chunks[k]); });
 
   // bonds; they write to their own chunk and the next one, so even and odd chunks take turns    VB3, VB4, VB5

@@ -41,13 +41,13 @@ struct StepData {
   int chunk_count;
   const GuidedParticle* guided;
   int guided_count;
-  const double *volume, *share, *moment_xx, *moment_xy, *moment_yy, *force_x, *force_y, *free_x, *free_y,
-      *extra_cohesion;
+  const double *volume, *share, *moment_xx, *moment_xy, *moment_yy, *force_x, *force_y, *free_x, *free_y, *sum_x,
+      *sum_y, *extra_cohesion;
   bool uses_algorithm[2];
   // state
   double *ux, *uy, *vx, *vy, *plastic_volume, *plastic_strain;
   // scratch
-  double *lxx, *lxy, *lyx, *lyy, *dilation, *zxx, *zxy, *zyx, *zyy, *px, *py, *volume_source;
+  double *weighted_x, *weighted_y, *lxx, *lxy, *lyx, *lyy, *dilation, *zxx, *zxy, *zyx, *zyy, *px, *py, *volume_source;
 };
 
 }  // namespace vbgpd
