@@ -121,18 +121,28 @@ Slices GridSearch::follow() {
   double factor = std::isnan(options_.guess) ? 1.0 : 1.04 * options_.guess;
   factor = std::clamp(factor, options_.srf_min, options_.srf_max);
   const RelaxOptions options;
-  constexpr double kLevel = 12;   // displacement level at which the flow is read
-  constexpr double kFlat = 3e-4;  // F_e is flat when two looks differ by less than this
-  constexpr double kFall = 0.01;  // and past its peak when it falls by more than this
+  constexpr double kLevel = 12;     // displacement level at which the flow is read
+  constexpr double kFlowing = 0.5;  // and that at which it is a flow
+  constexpr double kFlat = 3e-4;    // F_e repeats when two rounds of following differ by less than this
+  constexpr double kSteady = 1e-3;  // and is read once two looks at the overshot flow differ by less than this
+  constexpr double kBrisk = 1.04;   // share of F_e at which the flow is driven, at least: less takes ages
+  constexpr double kStands = 5e-4;  // unbalanced force ratio, halved since the last look, of a slope about to stand
+  constexpr double kFall = 0.01;    // and past its peak when it falls by more than this
   const std::int64_t look = std::max<std::int64_t>(2 * kWindow, response_ / 2);
   const std::int64_t most = 60 * response_;
   // 1. overshoot: raise F until the slope flows, then wait until F_e is flat and the flow developed
-  double best = 0, previous = 0;
+  double best = 0, previous = 0, unbalanced = 1;
   std::shared_ptr<SavedState> best_state;
   int falls = 0;
   std::int64_t steps = 0, looked = 0;
   set_factor(factor);
   simulation_.halt();
+  const auto raise = [&](double times) {
+    factor = std::min(options_.srf_max, factor * times);
+    set_factor(factor);
+    simulation_.halt();
+    steps = looked = 0, best = 0, falls = 0, unbalanced = 1;
+  };
   for (;;) {
     const RelaxReport r = simulation_.relax(kWindow, options);
     steps += r.steps, looked += r.steps, progress_.steps += r.steps;
@@ -143,26 +153,34 @@ Slices GridSearch::follow() {
       stable_ = factor, standing_ = simulation_.save();
       progress_.srf_stable = stable_;
       if (factor >= options_.srf_max) co_return;
-      factor = std::min(options_.srf_max, factor * (steps < 2 * response_ ? 1.2 : 1.06));
-      set_factor(factor);
-      simulation_.halt();
-      steps = looked = 0, best = 0, falls = 0;
+      raise(steps < 2 * response_ ? 1.2 : 1.06);
       continue;
     }
     if (looked >= look) {
       const double estimate = factor * r.power_ratio;
-      if (estimate < factor && level > kLevel && std::fabs(estimate - previous) < kFlat * estimate) {
+      if (r.unbalanced_force_ratio < kStands && r.unbalanced_force_ratio < 0.5 * unbalanced &&
+          estimate > (1 - kFall) * factor && factor < options_.srf_max) {
+        raise(1.2);
+        continue;
+      }
+      unbalanced = r.unbalanced_force_ratio;
+      if (estimate < factor && level > kLevel && std::fabs(estimate - previous) < kSteady * estimate) {
         flow_ = estimate;
         break;
       }
       if (estimate > best) best = estimate, best_state = simulation_.save(), falls = 0;
       else if (estimate < (1 - kFall) * best) ++falls;
-      // F_e past its peak: a skin has run away or the section has softened; the flow at the peak is the one to follow
-      if (falls >= 2 || level > 20 * kLevel) {
+      // F_e past its peak: a skin has run away or the section has softened; the flow at the peak is the one to follow.
+      // F_e still creeping up: soil that hardens slowly (undrained) is read at the level of any other
+      if (falls >= 2 || level > 2 * kLevel) {
         if (!(best < factor)) co_return;
         flow_ = best;
         simulation_.restore(*best_state);
         break;
+      }
+      if (level > kFlowing && estimate < factor && factor < kBrisk * estimate) {
+        factor = std::min(options_.srf_max, kBrisk * estimate);
+        set_factor(factor);
       }
       previous = estimate, looked = 0;
     }
@@ -176,7 +194,7 @@ Slices GridSearch::follow() {
     factor = round == 0 ? std::min(flow_ + 0.6 * (factor - flow_), 1.01 * flow_) : 1.002 * flow_;
     set_factor(factor);
     simulation_.halt();
-    for (std::int64_t n = 0; n < std::max<std::int64_t>(2 * kWindow, 2 * response_ / 3); n += kWindow) {
+    for (std::int64_t n = 0; n < std::max<std::int64_t>(2 * kWindow, response_ / 2); n += kWindow) {
       const RelaxReport r = simulation_.relax(kWindow, options);
       progress_.steps += r.steps;
       if (r.unbalanced_force_ratio < 1e-5) break;
@@ -209,7 +227,8 @@ Slices GridSearch::fast_bracket() {
     low = std::max(options_.srf_min, notched(low - step));
   }
   // upper end: from the state at rest, a little more; if it stands, it is the new lower end
-  for (double step = 2 * notch; !done_ && std::isnan(failed_); step *= 2) {
+  const double whole = options_.tolerance;
+  for (double step = 3 * notch; !done_ && std::isnan(failed_); step = step < whole ? whole : 2 * step) {
     const double high = std::min(options_.srf_max, notched(stable_ + step + 0.5 * notch));
     if (verdict_ == Verdict::kUndecided) simulation_.restore(*standing_);
     for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};
