@@ -132,7 +132,7 @@ module vbgpd_c
   end type vbgpd_trial
 
   type, bind(C) :: vbgpd_level
-    integer(c_int32_t) :: struct_size = 96
+    integer(c_int32_t) :: struct_size = 120
     integer(c_int32_t) :: reserved = 0
     real(c_double) :: spacing_x = 0
     real(c_double) :: spacing_y = 0
@@ -145,6 +145,9 @@ module vbgpd_c
     real(c_double) :: factor_of_safety = 0
     real(c_double) :: wall_seconds = 0
     real(c_double) :: cpu_seconds = 0
+    real(c_double) :: estimate = 0
+    real(c_double) :: error_estimate = 0
+    real(c_double) :: sliding_area = 0
   end type vbgpd_level
 
   type, bind(C) :: vbgpd_field_info

@@ -113,6 +113,9 @@ vbgpd_level level_of(const Level& from) {
   to.factor_of_safety = from.factor_of_safety;
   to.wall_seconds = from.wall_seconds;
   to.cpu_seconds = from.cpu_seconds;
+  to.estimate = from.estimate;
+  to.error_estimate = from.error_estimate;
+  to.sliding_area = from.sliding_area;
   return to;
 }
 

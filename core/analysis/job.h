@@ -44,15 +44,20 @@ struct Level {
   std::int64_t particles = 0, bonds = 0, steps = 0, trials = 0;
   double srf_stable = kNone, srf_unstable = kNone, factor_of_safety = kNone;
   double wall_seconds = 0, cpu_seconds = 0;
+  double estimate = kNone, error_estimate = kNone;  ///< from this grid and the coarser ones
+  double sliding_area = kNone;                      ///< of the mechanism on this grid, m2
+  double misfit = 0;                                ///< of key lines from cell edges, in coarse cells
 };
 
 struct JobResult {
-  std::string status =
-      "NOT_RUN";  ///< OK, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, DIVERGED
+  std::string status = "NOT_RUN";  ///< OK, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER,
+                                   ///< NOT_MONOTONIC, THIN_LAYER, TARGET_NOT_MET, DIVERGED
   std::string reason, scheme, reduced, flow_rule;
   double factor_of_safety = kNone, srf_stable = kNone, srf_unstable = kNone, error_estimate = kNone;
   double displacement_level = kNone, sliding_area = kNone, energy_residual = kNone;
   double unbalanced_force_ratio = kNone, max_displacement = kNone;
+  double observed_order = kNone;                                  ///< of three grids
+  double next_level_spacing = kNone, next_level_seconds = kNone;  ///< of one more grid: m, and the wall time predicted
   std::int64_t steps = 0;
   double wall_seconds = 0, cpu_seconds = 0;
   std::vector<Level> levels;
@@ -86,7 +91,8 @@ class Job {
 
 /// Relaxes gravity, seismic and surface loads to equilibrium with the scene's strengths.
 std::unique_ptr<Job> make_equilibrium(Simulation& simulation);
-/// Factor of safety by strength reduction; leaves the simulation in the failing state of the finest grid.
+/// Factor of safety by strength reduction, coarse to fine. Leaves the simulation in the failing state of its own grid,
+/// which is the finest one unless "target_error" or "budget" go on to finer ones (or end before it).
 std::unique_ptr<Job> make_strength_reduction(Simulation& simulation);
 
 }  // namespace vbgpd

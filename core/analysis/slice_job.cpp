@@ -12,7 +12,10 @@ constexpr JobOption kOptions[] = {
     {"srf_min", "1", "lowest strength reduction factor tried", kNone, 1e-3, 1e3},
     {"srf_max", "1", "highest strength reduction factor tried", kNone, 1e-3, 1e3},
     {"srf_tolerance", "1", "width of the bracket asked for", kNone, 1e-4, 0.5},
-    {"levels", "1", "grids: 1 plain, 2 extrapolated, 3 with a check of the order", 2, 1, 3},
+    {"levels", "1", "grids: 1 plain, 2 extrapolated, 3 to 5 check the order; 0 = 2, or as many as the next two ask for",
+     0, 0, 5},
+    {"target_error", "1", "ends when the error estimate is this small; 0 = no target", 0, 0, 1},
+    {"budget", "s", "wall time within which grids are begun and ended; 0 = no limit", 0, 0, 1e9},
     {"careful", "1", "0 fast search, then verification; 1 plain bisection from the gravity state", 0, 0, 1},
     {"step_limit", "1", "steps after which a trial is undecided; 0 = 30 response times", 0, 0, 1e12},
 };
@@ -95,6 +98,9 @@ double SliceJob::get(std::string_view name) const {
   if (name == "unbalanced_force_ratio") return r.unbalanced_force_ratio;
   if (name == "max_displacement") return r.max_displacement;
   if (name == "levels") return started_ ? static_cast<double>(r.levels.size()) : option("levels");
+  if (name == "observed_order") return r.observed_order;
+  if (name == "next_level_spacing") return r.next_level_spacing;
+  if (name == "next_level_seconds") return r.next_level_seconds;
   if (name == "trials") return static_cast<double>(r.trials.size());
   if (name == "steps") return static_cast<double>(r.steps);
   if (name == "particles") return static_cast<double>(simulation_.particle_count());

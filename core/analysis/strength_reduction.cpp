@@ -1,93 +1,208 @@
-// The factor of safety by strength reduction on one to three grids, extrapolated, with its slip surface.
+// Factor of safety by strength reduction: a bracket per grid, coarse to fine, one estimate from all of them.
+#include <algorithm>
 #include <cmath>
 
+#include "analysis/convergence.h"
 #include "analysis/grid_search.h"
 #include "analysis/slice_job.h"
+#include "geometry/thickness.h"
 #include "scene/wording.h"
 
 namespace vbgpd {
 
 namespace {
 
-/// First-order extrapolation from spacings 2h and h (accuracy notes): FS* = 2 FS(h) - FS(2h).
-double extrapolated(double coarse, double fine) { return 2 * fine - coarse; }
-
 class StrengthReductionJob final : public SliceJob {
  public:
   using SliceJob::SliceJob;
 
  private:
-  struct Grid {
-    Real spacing_factor;
-    int multiple, coarsening;
-  };
-  /// Coarse to fine; the last one is the simulation itself.
-  static std::vector<Grid> grids(int levels) {
-    if (levels == 1) return {{1, 2, 1}};
-    if (levels == 2) return {{1, 2, 2}, {1, 2, 1}};
-    return {{1, 2, 2}, {std::sqrt(2.0), 1, 1}, {1, 2, 1}};
-  }
-
   Slices analysis() override {
     describe();
-    const std::vector<Grid> list = grids(static_cast<int>(option("levels")));
-    std::vector<double> factors;
-    for (std::size_t n = 0; n < list.size(); ++n) {
-      const bool finest = n + 1 == list.size();
+    plan();
+    for (std::size_t n = 0; n < most_ && goes_on(n); ++n) {
+      const double wall = result_.wall_seconds, cpu = result_.cpu_seconds;
+      std::unique_ptr<Simulation> other;
+      if (!is_own(n)) {
+        other = compile_grid(grid(n));
+        if (!other) break;
+        co_yield Pause{};
+      }
+      Simulation& simulation = other ? *other : simulation_;
       progress_.level = static_cast<int>(n);
       progress_.srf_stable = progress_.srf_unstable = kNone;
-      std::unique_ptr<Simulation> coarse;
-      const Stopwatch watch;
-      if (!finest) coarse = compile_grid(list[n]);
-      Simulation& simulation = finest ? simulation_ : *coarse;
-      SearchOptions options;
-      options.srf_min = option("srf_min"), options.srf_max = option("srf_max"),
-      options.tolerance = option("srf_tolerance");
-      options.careful = option("careful") != 0;
-      options.step_limit = static_cast<std::int64_t>(option("step_limit"));
-      if (!factors.empty()) options.guess = factors.back();
-      const std::int64_t steps_before = progress_.steps;
-      const std::size_t trials_before = result_.trials.size();
-      GridSearch search(simulation, options, static_cast<int>(n), result_.trials, progress_);
-      for (Slices s = search.run(); s.next(); co_yield Pause{}) estimate_fraction(n, list.size());
-      Level level;
-      level.spacing_x = simulation.get("spacing_x"), level.spacing_y = simulation.get("spacing_y");
-      level.particles = simulation.particle_count(), level.bonds = simulation.bond_count();
-      level.steps = progress_.steps - steps_before;
-      level.trials = static_cast<std::int64_t>(result_.trials.size() - trials_before);
-      level.srf_stable = search.stable(), level.srf_unstable = search.failed();
-      if (search.end() == SearchEnd::kBracketed) level.factor_of_safety = (search.stable() + search.failed()) / 2;
-      level.wall_seconds = watch.wall(), level.cpu_seconds = watch.cpu();
-      result_.levels.push_back(level);
-      result_.srf_stable = search.stable(), result_.srf_unstable = search.failed();
-      if (search.end() != SearchEnd::kBracketed) {
-        give_up(search);
-        co_return;
-      }
-      factors.push_back(level.factor_of_safety);
-      if (finest) {
+      const std::int64_t steps = progress_.steps;
+      const std::size_t trials = result_.trials.size();
+      GridSearch search(simulation, search_options(simulation), static_cast<int>(n), result_.trials, progress_);
+      for (Slices s = search.run(); !out_of_time() && s.next(); co_yield Pause{}) estimate_fraction(n);
+      const bool whole = !out_of_time();
+      const bool bracketed = whole && search.end() == SearchEnd::kBracketed;
+      Level level = level_of(simulation, search);
+      if (bracketed) {
+        level.factor_of_safety = (search.stable() + search.failed()) / 2;
         result_.displacement_level = search.displacement_level();
-        for (Slices s = mechanism(search.response_steps()); s.next();) co_yield Pause{};
+        for (Slices s = mechanism(simulation, search.response_steps()); s.next();) co_yield Pause{};
+        level.sliding_area = result_.sliding_area;
       }
+      level.steps = progress_.steps - steps;
+      level.trials = static_cast<std::int64_t>(result_.trials.size() - trials);
+      co_yield Pause{};  // brings the clocks up to date
+      level.wall_seconds = result_.wall_seconds - wall, level.cpu_seconds = result_.cpu_seconds - cpu;
+      result_.levels.push_back(level);
+      if (bracketed) {
+        take_stock();
+        continue;
+      }
+      if (!whole) {
+        stop_ = "the budget ended within grid " + std::to_string(n + 1);
+        break;
+      }
+      give_up(search);
+      if (n == 0 && open_) continue;  // too coarse to tell anything: the next grid may
+      gave_up_ = true;
+      break;
     }
-    conclude(factors);
+    conclude();
   }
 
-  std::unique_ptr<Simulation> compile_grid(const Grid& grid) const {
+  // ---- which grids ----
+
+  void plan() {
+    target_ = option("target_error"), budget_ = option("budget");
+    const int levels = static_cast<int>(option("levels"));
+    open_ = levels == 0 && (target_ > 0 || budget_ > 0);
+    if (!open_) closed_ = closed_ladder(levels == 0 ? 2 : levels);
+    most_ = open_ ? kOpenLadder : closed_.size();
+    const SceneDef& scene = simulation_.scene();
+    const std::vector<Real> thickness = material_thickness(scene, scene.spacing);
+    if (std::count_if(thickness.begin(), thickness.end(), [](Real t) { return !std::isnan(t); }) < 2) return;
+    for (std::size_t m = 0; m < thickness.size(); ++m)
+      if (!(thickness[m] >= thinnest_.thickness) && !std::isnan(thickness[m]))
+        thinnest_ = {scene.materials[m].name, thickness[m]};
+  }
+
+  Grid grid(std::size_t n) const { return open_ ? open_ladder(static_cast<int>(n)) : closed_[n]; }
+  /// The grid the simulation was compiled with: that of the scene's spacing.
+  bool is_own(std::size_t n) const { return open_ ? n == 1 : n + 1 == most_; }
+
+  bool out_of_time() const { return budget_ > 0 && result_.wall_seconds > budget_; }
+
+  /// Whether grid n is wanted and the budget can hold it.
+  bool goes_on(std::size_t n) {
+    if (whole().empty()) return true;
+    predict(n);
+    if (target_ > 0 && met()) {
+      stop_ = "the target of " + number_text(target_) + " is met";
+      return false;
+    }
+    const double left = budget_ - result_.wall_seconds;
+    if (budget_ > 0 && result_.next_level_seconds > left) {
+      stop_ = "the next grid would take about " + number_text(result_.next_level_seconds, 2) + " s, more than the " +
+              number_text(std::max(left, 0.0), 2) + " s left of the budget";
+      return false;
+    }
+    return true;
+  }
+
+  void predict(std::size_t n) {
+    const Grid next = n < most_ ? grid(n) : open_ladder(2);
+    const SceneDef& scene = simulation_.scene();
+    result_.next_level_spacing = scene.spacing * next.spacing_factor * next.coarsening;
+    result_.next_level_seconds = predicted_seconds(whole(), result_.next_level_spacing);
+  }
+
+  /// Nothing when it would need more particles than allowed.
+  std::unique_ptr<Simulation> compile_grid(const Grid& grid) {
     CompileOptions options = simulation_.options();
     options.spacing_factor = grid.spacing_factor, options.lattice_multiple = grid.multiple,
     options.coarsening = grid.coarsening;
-    return Simulation::compile(simulation_.scene(), options);
+    try {
+      return Simulation::compile(simulation_.scene(), options);
+    } catch (const Error& error) {
+      if (!open_ || error.issue().status != Status::kLimit) throw;
+      stop_ = error.issue().text;
+      return nullptr;
+    }
   }
 
-  void estimate_fraction(std::size_t n, std::size_t count) {
-    // a finer grid costs about eight times the coarser one; inside a grid the phases are of like length
-    const double share = count == 1 ? 1 : (n + 1 == count ? 0.85 : 0.15 / static_cast<double>(count - 1));
-    const double done = n + 1 == count && count > 1
-                            ? 0.15
-                            : 0.15 * static_cast<double>(n) / std::max(1.0, static_cast<double>(count - 1));
+  SearchOptions search_options(const Simulation& simulation) const {
+    SearchOptions options;
+    options.srf_min = option("srf_min"), options.srf_max = option("srf_max");
+    options.tolerance = option("srf_tolerance");
+    // half of the target is left to the brackets of the two grids that are extrapolated
+    constexpr double kNarrowest = 1e-4;
+    if (target_ > 0) options.tolerance = std::clamp(target_ / 3, kNarrowest, options.tolerance);
+    options.careful = option("careful") != 0;
+    options.step_limit = static_cast<std::int64_t>(option("step_limit"));
+    if (const std::vector<Level> levels = whole(); !levels.empty()) {
+      const Level& last = levels.back();
+      const double spacing = std::sqrt(simulation.get("spacing_x") * simulation.get("spacing_y"));
+      options.guess = last.estimate + (last.factor_of_safety - last.estimate) * spacing / spacing_of(last);
+    }
+    return options;
+  }
+
+  // ---- what came out ----
+
+  static Level level_of(const Simulation& simulation, const GridSearch& search) {
+    Level level;
+    level.spacing_x = simulation.get("spacing_x"), level.spacing_y = simulation.get("spacing_y");
+    level.particles = simulation.particle_count(), level.bonds = simulation.bond_count();
+    level.misfit = simulation.section().lattice.misfit.maxCoeff();
+    level.srf_stable = search.stable(), level.srf_unstable = search.failed();
+    return level;
+  }
+
+  /// The levels with a bracket.
+  std::vector<Level> whole() const {
+    std::vector<Level> levels;
+    for (const Level& l : result_.levels)
+      if (!std::isnan(l.factor_of_safety)) levels.push_back(l);
+    return levels;
+  }
+
+  /// After a level with a bracket.
+  void take_stock() {
+    now_ = estimate(whole(), thinnest_);
+    Level& last = result_.levels.back();
+    last.estimate = now_.value, last.error_estimate = now_.error;
+    result_.srf_stable = last.srf_stable, result_.srf_unstable = last.srf_unstable;
+  }
+
+  bool met() const { return now_.status == "OK" && now_.discretisation && now_.error <= target_; }
+
+  /// Grids that were asked for and could not be bracketed leave no answer; those that were only wished for leave that
+  /// of the grids before.
+  void conclude() {
+    const std::vector<Level> levels = whole();
+    if (levels.empty() && !stop_.empty()) {
+      result_.status = "NOT_CONVERGED", result_.reason = stop_, outcome_ = Status::kNotConverged;
+      return;
+    }
+    if (levels.empty() || (gave_up_ && !open_)) return;  // give_up has said why
+    if (gave_up_) stop_ = "the next grid: " + result_.reason;
+    if (!gave_up_ && stop_.empty()) predict(most_);
+    result_.srf_stable = levels.back().srf_stable, result_.srf_unstable = levels.back().srf_unstable;
+    outcome_ = Status::kOk;
+    result_.factor_of_safety = now_.value, result_.error_estimate = now_.error;
+    result_.observed_order = now_.observed_order;
+    result_.status = now_.status, result_.reason = now_.reason;
+    if (!stop_.empty()) result_.reason += "; " + stop_;
+    if (!(target_ > 0) || met()) return;
+    outcome_ = Status::kNotConverged;
+    result_.reason += "; the target of " + number_text(target_) + " is not met";
+    if (result_.status == "OK") result_.status = "TARGET_NOT_MET";
+  }
+
+  void estimate_fraction(std::size_t n) {
+    // a grid costs about spacing^-3; inside a grid the phases are of like length
+    const auto cost = [&](std::size_t k) { return std::pow(grid(k).spacing_factor * grid(k).coarsening, -3); };
+    double before = 0, all = 0;
+    for (std::size_t k = 0; k < (open_ ? n + 1 : most_); ++k) (k < n ? before : all) += cost(k);
     static constexpr double kPhase[] = {0, 0.05, 0.3, 0.6, 0.8, 0.95};
-    progress_.fraction = std::max(progress_.fraction, done + share * kPhase[static_cast<int>(progress_.phase)]);
+    double fraction = (before + cost(n) * kPhase[static_cast<int>(progress_.phase)]) / (before + all);
+    if (budget_ > 0) fraction = std::max(open_ ? 0 : fraction, result_.wall_seconds / budget_);
+    progress_.fraction = std::clamp(fraction, progress_.fraction, 1.0);
   }
 
   void describe() {
@@ -108,29 +223,30 @@ class StrengthReductionJob final : public SliceJob {
   }
 
   /// Lets the failing slope flow for one more response time and reads the mechanism and the energy balance off it.
-  Slices mechanism(std::int64_t response) {
+  Slices mechanism(Simulation& simulation, std::int64_t response) {
     progress_.phase = Phase::kSlipSurface;
-    const Instant before = instant(simulation_);
-    const Real elastic_before = simulation_.elastic_energy();
+    const Instant before = instant(simulation);
+    const Real elastic_before = simulation.elastic_energy();
     RelaxOptions options;
     options.ledger = true;
     Real internal = 0, plastic = 0;
     for (std::int64_t n = 0; n < response; n += 10) {
-      const RelaxReport r = simulation_.relax(10, options);
+      const RelaxReport r = simulation.relax(10, options);
       progress_.steps += r.steps;
       internal -= r.internal_work, plastic += r.plastic_work;
       co_yield Pause{};
     }
-    const Real stored = simulation_.elastic_energy() - elastic_before;
+    const Real stored = simulation.elastic_energy() - elastic_before;
     const Real largest = std::max({std::fabs(internal), std::fabs(stored), std::fabs(plastic)});
     result_.energy_residual = largest > 0 ? std::fabs(internal - stored - plastic) / largest : 0;
-    const SlipSurface slip = slip_surface(simulation_, before, instant(simulation_));
+    const SlipSurface slip = slip_surface(simulation, before, instant(simulation));
     result_.slip_surface = slip.line;
     result_.sliding_area = slip.sliding_area;
-    result_.max_displacement = simulation_.get("max_displacement");
+    result_.max_displacement = simulation.get("max_displacement");
   }
 
   void give_up(const GridSearch& search) {
+    result_.srf_stable = search.stable(), result_.srf_unstable = search.failed();
     result_.reason = search.reason();
     switch (search.end()) {
       case SearchEnd::kBelowMin:
@@ -147,48 +263,14 @@ class StrengthReductionJob final : public SliceJob {
     }
   }
 
-  void conclude(const std::vector<double>& factors) {
-    const double fine = factors.back(), half = (result_.srf_unstable - result_.srf_stable) / 2;
-    result_.status = "OK";
-    result_.factor_of_safety = fine;
-    result_.error_estimate = half;
-    outcome_ = Status::kOk;
-    if (factors.size() == 1) {
-      result_.reason = "bracketed on one grid; the discretisation error is not estimated";
-      return;
-    }
-    const double best = extrapolated(factors.front(), fine), difference = std::fabs(best - fine);
-    // brackets enter the extrapolated value three half widths deep; half of what was extrapolated stays in doubt
-    const double doubt = 3 * half + difference / 2;
-    result_.factor_of_safety = best;
-    result_.error_estimate = doubt;
-    result_.reason = "bracketed on " + std::to_string(factors.size()) + " grids and extrapolated at first order";
-    if (factors.size() == 3) check_order(factors, fine, difference, half);
-    const Vec2 misfit = simulation_.section().lattice.misfit;
-    if (misfit.maxCoeff() > 0.1) {
-      result_.error_estimate = std::max(result_.error_estimate, difference + 3 * half);
-      result_.reason += "; key lines lie up to " + number_text(misfit.maxCoeff(), 2) +
-                        " of a coarse cell off the cell edges, so the estimate is widened";
-    }
-  }
-
-  /// With spacings 2, sqrt 2 and 1 first order means (FS2 - FS1.41)/(FS1.41 - FS1) = sqrt 2; otherwise no
-  /// extrapolation.
-  void check_order(const std::vector<double>& factors, double fine, double difference, double half) {
-    const double first = factors[0] - factors[1], second = factors[1] - factors[2];
-    const double noise = 2 * half;
-    const bool small = std::fabs(first) <= 2 * noise && std::fabs(second) <= 2 * noise;
-    const double ratio = second != 0 ? first / second : kNone;
-    if (small || std::fabs(ratio / std::sqrt(2.0) - 1) <= 0.3) {
-      result_.reason += ", the order checked on the grid between";
-      return;
-    }
-    result_.status = "NOT_FIRST_ORDER";
-    result_.factor_of_safety = fine;
-    result_.error_estimate = difference + 3 * half;
-    result_.reason = "the three grids do not differ at first order (ratio " + number_text(ratio, 3) +
-                     ", first order is 1.41): the value of the finest grid is given, not extrapolated";
-  }
+  double target_ = 0, budget_ = 0;
+  bool open_ = false;
+  std::vector<Grid> closed_;
+  std::size_t most_ = 0;
+  ThinLayer thinnest_;
+  Estimate now_;  // of the grids so far
+  bool gave_up_ = false;
+  std::string stop_;  // why no further grid was begun or ended
 };
 
 }  // namespace

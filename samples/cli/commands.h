@@ -14,8 +14,9 @@ struct CheckOptions {
 /// What is not given is taken from the scene or is the engine's default.
 struct FosOptions {
   std::string scene;
-  std::optional<double> spacing;  ///< m
-  std::optional<int> levels;      ///< grids
+  std::optional<double> spacing;               ///< m
+  std::optional<int> levels;                   ///< grids
+  std::optional<double> target_error, budget;  ///< of the factor of safety; wall seconds
   std::optional<std::string> scheme;
   std::optional<double> tolerance;  ///< width of the bracket
   int threads = 1;

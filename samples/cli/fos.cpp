@@ -16,7 +16,11 @@ namespace cli {
 
 namespace {
 
-constexpr int kDefaultLevels = 2;
+/// How many grids there will be; 0 = as many as it takes.
+int grid_count(const FosOptions& options) {
+  constexpr int kDefault = 2;
+  return options.levels.value_or(options.target_error || options.budget ? 0 : kDefault);
+}
 
 void apply(const FosOptions& options, vbgpd_profile* profile) {
   const auto accept = [&](const char* option, vbgpd_status status) {
@@ -51,7 +55,9 @@ Job create_job(const FosOptions& options, vbgpd_model* model) {
   const auto set = [&](const char* name, double value) {
     require(vbgpd_job_set_f64(handle, name, VBGPD_STRLEN, value), handle);
   };
-  set("levels", options.levels.value_or(kDefaultLevels));
+  if (options.levels) set("levels", *options.levels);
+  if (options.target_error) set("target_error", *options.target_error);
+  if (options.budget) set("budget", *options.budget);
   if (options.careful) set("careful", 1);
   return job;
 }
@@ -96,7 +102,7 @@ Analysis analyse(const FosOptions& options) {
   const Scene scene = load(context.get(), options, warnings);
   const Model model = create_model(context.get(), scene.profile.get(), options.scene);
   const Job job = create_job(options, model.get());
-  ProgressLine line(!options.quiet, options.levels.value_or(kDefaultLevels));
+  ProgressLine line(!options.quiet, grid_count(options));
   const vbgpd_status outcome = run(job.get(), line);
   Analysis a;
   a.result = read_result(job.get(), model.get(), outcome);

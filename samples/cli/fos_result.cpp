@@ -38,6 +38,9 @@ FosResult read_result(const vbgpd_job* job, const vbgpd_model* model, vbgpd_stat
   r.displacement_level = number(job, "displacement_level");
   r.sliding_area = number(job, "sliding_area");
   r.energy_residual = number(job, "energy_residual");
+  r.observed_order = number(job, "observed_order");
+  r.next_level_spacing = number(job, "next_level_spacing");
+  r.next_level_seconds = number(job, "next_level_seconds");
   r.wall_seconds = number(job, "wall_seconds");
   r.cpu_seconds = number(job, "cpu_seconds");
   r.status = text(job, "status");

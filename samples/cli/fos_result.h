@@ -16,6 +16,7 @@ struct FosResult {
   double factor_of_safety = kNone, srf_stable = kNone, srf_unstable = kNone, error_estimate = kNone;
   std::string status, reason, scheme, reduced, flow_rule;
   double displacement_level = kNone, sliding_area = kNone, energy_residual = kNone;
+  double observed_order = kNone, next_level_spacing = kNone, next_level_seconds = kNone;
   double wall_seconds = kNone, cpu_seconds = kNone;
   std::vector<vbgpd_level> levels;
   std::vector<vbgpd_trial> trials;

@@ -21,9 +21,19 @@ void describe_fos(CLI::App& app, FosOptions& options) {
   app.add_option("--spacing", options.spacing, "m between particles of the finest grid, instead of the scene's")
       ->type_name("H")
       ->check(CLI::PositiveNumber);
-  app.add_option("--levels", options.levels, "grids, each half as fine as the next (default 2); 1 = no extrapolation")
+  app.add_option("--levels", options.levels,
+                 "grids, coarse to fine, the last with the scene's spacing (default 2); 1 = no extrapolation")
       ->type_name("N")
-      ->check(CLI::Range(1, 3));
+      ->check(CLI::Range(1, 5));
+  app.add_option(
+         "--target-error", options.target_error,
+         "end when the error estimate is this small; without --levels grids may get finer than the scene's spacing")
+      ->type_name("E")
+      ->check(CLI::Range(1e-3, 1.0));
+  app.add_option("--budget", options.budget,
+                 "seconds: begin no grid that would outlast them; may get finer like that too")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1e-3, 1e9));
   app.add_option("--scheme", options.scheme, "virtual_bond or none (corrected nodal SPH), instead of the scene's")
       ->type_name("NAME")
       ->check(CLI::IsMember({"virtual_bond", "none"}));

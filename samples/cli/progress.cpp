@@ -33,7 +33,9 @@ int terminal_width() {
 }  // namespace
 
 std::string progress_text(const vbgpd_progress& p, int levels, double elapsed_seconds) {
-  std::string text = format("grid %d/%d  %s", p.level + 1, levels, phase_text(p).c_str());
+  std::string text = format("grid %d", p.level + 1);
+  if (levels > 0) text += format("/%d", levels);
+  text += "  " + phase_text(p);
   if (std::isfinite(p.srf_stable) || std::isfinite(p.srf_unstable))
     text += "  bracket [" + end_text(p.srf_stable) + "," + end_text(p.srf_unstable) + "]";
   text += format("  R=%.1e  %.0f %%", p.unbalanced_force_ratio, 100 * p.fraction);

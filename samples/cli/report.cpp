@@ -14,7 +14,10 @@ std::string place(Point p) { return "(" + plain_number(p.x, 5) + ", " + plain_nu
 /// How the value came about: by how many grids, with what bracket.
 std::string origin_text(const FosResult& r) {
   if (!std::isfinite(r.factor_of_safety)) return "";
-  if (r.levels.size() > 1 && r.status == "OK") return format("   extrapolated from %zu grids", r.levels.size());
+  const auto grids = std::count_if(r.levels.begin(), r.levels.end(),
+                                   [](const vbgpd_level& level) { return std::isfinite(level.factor_of_safety); });
+  if (grids > 1 && (r.status == "OK" || r.status == "TARGET_NOT_MET"))
+    return format("   extrapolated from %d grids", static_cast<int>(grids));
   return "   middle of the bracket of the finest grid";
 }
 
@@ -24,10 +27,12 @@ std::string level_text(std::size_t i, const vbgpd_level& level) {
     bracket = format("bracket [%.4f, %.4f]", level.srf_stable, level.srf_unstable);
   const std::string middle =
       std::isfinite(level.factor_of_safety) ? format("FS %.4f", level.factor_of_safety) : "FS not found";
-  return format("  grid %zu         spacing %s m, %s, %s: %s, %s, %s, %s\n", i + 1,
+  const std::string estimate =
+      std::isfinite(level.error_estimate) ? format(", so far %.4f ± %.4f", level.estimate, level.error_estimate) : "";
+  return format("  grid %zu         spacing %s m, %s, %s: %s, %s, %s, %s%s\n", i + 1,
                 plain_number(level.spacing_x, 4).c_str(), counted(level.particles, "particle").c_str(),
                 counted(level.bonds, "bond").c_str(), middle.c_str(), bracket.c_str(),
-                counted(level.trials, "trial").c_str(), duration(level.wall_seconds).c_str());
+                counted(level.trials, "trial").c_str(), duration(level.wall_seconds).c_str(), estimate.c_str());
 }
 
 /// The mechanism goes down: it enters at the higher end and leaves at the lower one.
@@ -54,6 +59,9 @@ std::string to_text(const FosResult& r, const std::string& scene_name) {
   text += factor_of_safety_label(r) + origin_text(r) + "\n";
   for (std::size_t i = 0; i < r.levels.size(); ++i) text += level_text(i, r.levels[i]);
   text += line("status", r.reason.empty() ? r.status : r.status + ": " + r.reason);
+  if (std::isfinite(r.next_level_seconds))
+    text += line("one grid more", "spacing " + plain_number(r.next_level_spacing, 3) + " m, about " +
+                                      duration(r.next_level_seconds) + " (predicted)");
   text += slip_text(r);
   text += line("scheme", r.scheme);
   text += line("reduced", r.reduced);

@@ -10,6 +10,6 @@ HAS_SIZE(vbgpd_context_desc, 24);
 HAS_SIZE(vbgpd_progress, 72);
 HAS_SIZE(vbgpd_advance_result, 72);
 HAS_SIZE(vbgpd_trial, 80);
-HAS_SIZE(vbgpd_level, 96);
+HAS_SIZE(vbgpd_level, 120);
 
 int main(void) { return vbgpd_abi_version() == second_abi() ? 0 : 1; }

@@ -87,6 +87,10 @@ static void jobs_and_models(vbgpd_context* context) {
   CHECK_OK(vbgpd_job_set_f64(job, "levels", VBGPD_STRLEN, 1));
   CHECK(job_number(job, "levels") == 1);
   CHECK_STATUS(VBGPD_E_RANGE, vbgpd_job_set_f64(job, "levels", VBGPD_STRLEN, 9));
+  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_job_set_f64(job, "target_error", VBGPD_STRLEN, 1.5));
+  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_job_set_f64(job, "budget", VBGPD_STRLEN, -1));
+  CHECK_OK(vbgpd_job_set_f64(job, "budget", VBGPD_STRLEN, 60));
+  CHECK(job_number(job, "budget") == 60 && job_number(job, "target_error") == 0);
   CHECK(vbgpd_job_run(job, 1e-6, NULL, NULL, NULL) >= 0);
   CHECK_STATUS(VBGPD_E_STATE, vbgpd_job_set_f64(job, "levels", VBGPD_STRLEN, 2));
   CHECK_OK(vbgpd_job_destroy(job));

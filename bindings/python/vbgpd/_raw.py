@@ -179,6 +179,9 @@ class vbgpd_level(Record):
         ("factor_of_safety", c_double),
         ("wall_seconds", c_double),
         ("cpu_seconds", c_double),
+        ("estimate", c_double),
+        ("error_estimate", c_double),
+        ("sliding_area", c_double),
     ]
 
 

@@ -213,21 +213,31 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_cancel(vbgpd_model*); /* [any-thre
 
 /* ---- jobs: long analyses in slices ------------------------------------------------------------------------- */
 /* A job works on the model it was made for; while a slice runs that model answers VBGPD_E_BUSY to other threads and
- * VBGPD_E_REENTRANT to the job's own callback. When a strength reduction has ended the model is left in the failing state of the finest grid, so that its fields show the mechanism. */
+ * VBGPD_E_REENTRANT to the job's own callback. When a strength reduction has ended the model is left in the failing state of
+ * the grid with the profile's spacing, so that its fields show the mechanism; it is the finest one unless a target or a budget
+ * went on to finer ones, or ended before it (then the model is as it was). */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_equilibrium(vbgpd_model*, vbgpd_job** out);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_strength_reduction(vbgpd_model*, vbgpd_job** out);
-/* "srf_min", "srf_max", "srf_tolerance" (taken from the profile), "levels" (grids, 1-3, default 2), "careful" (0 fast search
- * then verification, 1 plain bisection from the gravity state), "step_limit" (per trial). Before the first _run only. */
+/* "srf_min", "srf_max", "srf_tolerance" (taken from the profile), "careful" (0 fast search then verification, 1 plain
+ * bisection from the gravity state), "step_limit" (per trial). Before the first _run only.
+ * "levels": grids, coarse to fine, 1 to 5, the last with the spacing of the profile; each starts from the factor of the one
+ * before. "target_error": ends as soon as error_estimate is that small, brackets are narrowed to a third of it. "budget":
+ * wall seconds inside _run; a grid that is predicted to outlast it is not begun, one that does is given up. levels 0 (default)
+ * = 2 grids, or with a target or a budget as many as it takes, from twice the spacing on to finer ones than the profile's
+ * (1/1.5, 1/2, 1/3 ... 1/32) within max_particles: the profile's spacing is then where it starts. A budget makes the number of
+ * grids depend on the machine; each grid is the same everywhere. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_set_f64(vbgpd_job*, const char* name, int64_t len, double value);
 /* VBGPD_OK = finished; LIMIT_REACHED or CANCELLED = call again; NOT_CONVERGED, UNSTABLE = finished with that outcome.
  * wall_seconds <= 0: no limit. fn may be NULL; it is called at most about ten times a second. p may be NULL. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_run(vbgpd_job*, double wall_seconds, vbgpd_progress_fn fn, void* user, vbgpd_progress* p);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] [signal-safe] */
 /* After it finished: factor_of_safety, srf_stable, srf_unstable, error_estimate, displacement_level, sliding_area,
- * energy_residual, levels, trials, steps, particles, bonds, wall_seconds, cpu_seconds. NaN where it has no value.
+ * energy_residual, levels, trials, steps, particles, bonds, wall_seconds, cpu_seconds, observed_order (of three grids),
+ * next_level_spacing and next_level_seconds (one more grid, predicted). NaN where it has no value.
  * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_f64(const vbgpd_job*, const char* name, int64_t len, double* value);
-/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, ...), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
+/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER: the value of the finest grid
+ * is given as it is; TARGET_NOT_MET; DIVERGED), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 
 /* One strength reduction factor that was tried, with its evidence. */
@@ -256,6 +266,8 @@ typedef struct vbgpd_level {
   int64_t particles, bonds, steps, trials;
   double srf_stable, srf_unstable, factor_of_safety; /* of this grid alone */
   double wall_seconds, cpu_seconds;
+  double estimate, error_estimate;                   /* from this grid and the coarser ones */
+  double sliding_area;                               /* of the mechanism on this grid, m2 */
 } vbgpd_level;
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_level(const vbgpd_job*, int64_t i, vbgpd_level* l);
 /* The critical slip surface from entry to exit, left to right; rules for cap and n as vbgpd_profile_polygon. */

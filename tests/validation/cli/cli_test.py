@@ -35,9 +35,9 @@ SLOPE = {
 RESULT_FIELDS = {
     "factor_of_safety", "srf_stable", "srf_unstable", "status", "reason", "error_estimate", "scheme", "reduced", "flow_rule",
     "displacement_level", "levels", "trials", "slip_surface", "sliding_area", "energy_residual", "hash", "version",
-    "warnings", "errors", "wall_seconds", "cpu_seconds"}
+    "warnings", "errors", "wall_seconds", "cpu_seconds", "observed_order", "next_level"}
 LEVEL_FIELDS = {"spacing", "particles", "bonds", "srf_stable", "srf_unstable", "factor_of_safety", "steps", "wall_seconds",
-                "cpu_seconds"}
+                "cpu_seconds", "estimate", "error_estimate", "sliding_area"}
 TRIAL_FIELDS = {"level", "strength_reduction_factor", "verdict", "band_connected", "unbalanced_force_ratio",
                 "unbalanced_force_slope", "displacement_level", "displacement_growth", "power_ratio", "steps",
                 "wall_seconds"}
@@ -190,7 +190,8 @@ class CommandLine(ProgramTest):
         scene = self.scene_file()
         for arguments in ([], ["fly"], ["fos"], ["fos", scene, "--levels", "9"], ["fos", scene, "--levels", "two"],
                           ["fos", scene, "--spacing", "-1"], ["fos", scene, "--scheme", "magic"],
-                          ["fos", scene, "--threads", "-1"], ["fos", scene, "--tolerance", "0"], ["fos", scene, "--budget", "5"],
+                          ["fos", scene, "--threads", "-1"], ["fos", scene, "--tolerance", "0"], ["fos", scene, "--budget", "0"],
+                          ["fos", scene, "--budget", "soon"], ["fos", scene, "--target-error", "0"],
                           ["fos", scene, "another.json"], ["check", scene, "--json"]):
             with self.subTest(arguments):
                 self.refused(*arguments)
@@ -300,6 +301,44 @@ class FactorOfSafety(ProgramTest):
         material = dict(SLOPE["materials"][0], friction_angle=0.35, cohesion=60)
         done = self.run_program("fos", self.scene_file(materials=[material]), "--levels", "1", "--spacing", "2", "--json")
         self.assertEqual(len(json.loads(done.stdout)["warnings"]), 1)
+
+
+class ErrorAgainstTime(ProgramTest):
+    def result(self, *arguments, exit_code=0, **changes):
+        return json.loads(self.run_program("fos", self.scene_file(**changes), "--json", *arguments, exit_code=exit_code).stdout)
+
+    def test_a_target_is_met_on_finer_grids(self):
+        r = self.result("--target-error", "0.05")
+        self.assertEqual(r["status"], "OK")
+        self.assertLessEqual(r["error_estimate"], 0.05)
+        self.assertLess(r["levels"][-1]["spacing"], 0.9)
+        self.assertLessEqual(LEVEL_FIELDS, set(r["levels"][-1]))
+        self.assertLess(r["next_level"]["spacing"], r["levels"][-1]["spacing"])
+        self.assertGreater(r["next_level"]["wall_seconds"], 0)
+
+    def test_a_target_out_of_reach_ends_with_3_and_the_best_value(self):
+        r = self.result("--target-error", "0.001", "--levels", "2", exit_code=3)
+        self.assertEqual(r["status"], "TARGET_NOT_MET")
+        self.assertEqual(len(r["levels"]), 2)
+        self.assertIsNotNone(r["factor_of_safety"])
+        self.assertIn("0.001", r["reason"])
+
+    def test_a_budget_is_kept(self):
+        start = time.monotonic()
+        r = self.result("--budget", "1.5")
+        self.assertLess(time.monotonic() - start, 10)
+        self.assertGreaterEqual(len(r["levels"]), 2)
+        self.assertIn("budget", r["reason"])
+
+    def test_more_levels_check_the_order(self):
+        r = self.result("--levels", "4")
+        self.assertEqual(len(r["levels"]), 4)
+        self.assertEqual(r["levels"][-1]["estimate"], r["factor_of_safety"])
+
+    def test_a_budget_too_small_for_anything_ends_with_3(self):
+        r = self.result("--budget", "0.001", spacing=0.3, exit_code=3)
+        self.assertEqual(r["status"], "NOT_CONVERGED")
+        self.assertIsNone(r["factor_of_safety"])
 
 
 class Pictures(ProgramTest):
