@@ -72,6 +72,7 @@ std::string grids_text(std::size_t count) { return "bracketed on " + std::to_str
 void take_third_grid(const Level& third, const Level& coarse, const Level& fine, double noise, Estimate& e) {
   const bool between = spacing_of(third) < spacing_of(coarse);
   const Order order = between ? observed(coarse, third, fine) : observed(third, coarse, fine);
+  constexpr double kLow = 0.5, kHigh = 2;  // orders outside say more about the brackets than about the grids
   const double difference = std::fabs(e.value - fine.factor_of_safety);
   const double spread = std::max({third.factor_of_safety, coarse.factor_of_safety, fine.factor_of_safety}) -
                         std::min({third.factor_of_safety, coarse.factor_of_safety, fine.factor_of_safety});
@@ -82,10 +83,11 @@ void take_third_grid(const Level& third, const Level& coarse, const Level& fine,
   } else if (!order.monotonic) {
     refuse(e, fine, "NOT_MONOTONIC", spread + noise, "the factors of safety of the grids go up and down");
   } else if (!order.first) {
-    refuse(e, fine, "NOT_FIRST_ORDER", difference + noise,
+    // slower than first order, the finest grid is further off than first order says
+    const double slow = std::isnan(order.value) ? 1 : std::clamp(order.value, kLow, 1.0);
+    refuse(e, fine, "NOT_FIRST_ORDER", std::fabs(extrapolated(coarse, fine, slow) - fine.factor_of_safety) + noise,
            "the three grids do not differ at first order (ratio of differences " + number_text(order.ratio, 3) + ")");
   } else {
-    constexpr double kLow = 0.5, kHigh = 2;  // orders outside say more about the brackets than about the grids
     const double p = std::isnan(order.value) ? 1 : std::clamp(order.value, kLow, kHigh);
     const double change = std::fabs(extrapolated(coarse, fine, p) - e.value);
     e.error = noise + std::min(change, difference / 2);

@@ -77,6 +77,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
   progress_.trial = static_cast<int>(trials_.size()) - 1;
   TrialRules rules;
   rules.step_limit = options_.step_limit;
+  rules.drive = 0.5 * kNotch * options_.tolerance / factor;
   TrialRun run(simulation_, rules, response_, elastic_displacement_);
   for (Slices s = run.run(trial, progress_); s.next();) {
     trials_.back() = trial;
@@ -214,7 +215,7 @@ Slices GridSearch::follow() {
 /// The two ends of the bracket around the flow factor: arrest below it, keep flowing above it.
 Slices GridSearch::fast_bracket() {
   const double notch = kNotch * options_.tolerance;
-  double low = std::max(options_.srf_min, notched(flow_ - 0.3 * notch));
+  double low = std::max(options_.srf_min, notched(flow_ - notch));
   // lower end: the same flow comes to rest; if not, step down, each time from the last state at rest
   for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
     if (!std::isnan(failed_) || undecided_ > 0) simulation_.restore(*standing_);
@@ -227,8 +228,7 @@ Slices GridSearch::fast_bracket() {
     low = std::max(options_.srf_min, notched(low - step));
   }
   // upper end: from the state at rest, a little more; if it stands, it is the new lower end
-  const double whole = options_.tolerance;
-  for (double step = 3 * notch; !done_ && std::isnan(failed_); step = step < whole ? whole : 2 * step) {
+  for (double step = options_.tolerance; !done_ && std::isnan(failed_); step *= 2) {
     const double high = std::min(options_.srf_max, notched(stable_ + step + 0.5 * notch));
     if (verdict_ == Verdict::kUndecided) simulation_.restore(*standing_);
     for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};

@@ -21,7 +21,8 @@ double Stopwatch::wall() const { return wall_now() - wall_; }
 double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 
 /// The first two signals of a failure: unbalanced force on a plateau, displacement growing and not slowing down, over
-/// one response time without a restart of the momentum (a restart means that the forces turned against the motion).
+/// one response time without a restart of the momentum (a restart means that the forces turned against the motion). A
+/// flow that would balance at the very factor tried is creep on the way to rest, not failure.
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
   const auto span = static_cast<std::size_t>(std::max<std::int64_t>(4, response_ / kWindow));
   if (history.size() <= span || last.since_restart < response_) return false;
@@ -33,7 +34,7 @@ bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& la
       trial.unbalanced_force_slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
   const bool grows = trial.displacement_growth > rules_.growth &&
                      now.displacement - half.displacement >= half.displacement - then.displacement;
-  return plateau && grows && last.power_ratio < 1;
+  return plateau && grows && last.power_ratio < 1 - rules_.drive;
 }
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {

@@ -15,6 +15,7 @@ struct TrialRules {
   double plateau_level = 3;     ///< ... and R stays above so many times `equilibrium`
   double growth =
       0.02;  ///< failed: u_max grew by this share of its elastic value over a response time, not slower than before
+  double drive = 0;             ///< failed: F_e = F (internal power / external power) lies below F by this share of it
   std::int64_t step_limit = 0;  ///< then undecided; 0 = 30 response times
 };
 
