@@ -40,7 +40,8 @@ double extrapolated(const Level& coarse, const Level& fine, double order) {
 /// What the three grids say about the order, brackets taken at their worst.
 struct Order {
   bool known = false, monotonic = true, first = true;
-  double value = kNone, ratio = kNone;
+  double value = kNone, ratio = kNone;  ///< the order; of the differences
+  bool slow = false;                    ///< the differences shrink less than at first order
 };
 
 Order observed(const Level& a, const Level& b, const Level& c) {
@@ -57,6 +58,7 @@ Order observed(const Level& a, const Level& b, const Level& c) {
   // first order: d1 (h2 - h3) = d2 (h1 - h2), within a third and within the brackets
   const double misfit = std::fabs(d1 * (h2 - h3) - d2 * (h1 - h2));
   const double slack = noise1 * (h2 - h3) + noise2 * (h1 - h2);
+  o.slow = o.ratio < (h1 - h2) / (h2 - h3);
   constexpr double kThird = 0.3;
   o.first = misfit <= slack + kThird * std::fabs(d2) * (h1 - h2);
   return o;
@@ -84,8 +86,8 @@ void take_third_grid(const Level& third, const Level& coarse, const Level& fine,
     refuse(e, fine, "NOT_MONOTONIC", spread + noise, "the factors of safety of the grids go up and down");
   } else if (!order.first) {
     // slower than first order, the finest grid is further off than first order says
-    const double slow = std::isnan(order.value) ? 1 : std::clamp(order.value, kLow, 1.0);
-    refuse(e, fine, "NOT_FIRST_ORDER", std::fabs(extrapolated(coarse, fine, slow) - fine.factor_of_safety) + noise,
+    const double p = order.slow ? std::max(std::isnan(order.value) ? kLow : order.value, kLow) : 1;
+    refuse(e, fine, "NOT_FIRST_ORDER", std::fabs(extrapolated(coarse, fine, p) - fine.factor_of_safety) + noise,
            "the three grids do not differ at first order (ratio of differences " + number_text(order.ratio, 3) + ")");
   } else {
     const double p = std::isnan(order.value) ? 1 : std::clamp(order.value, kLow, kHigh);

