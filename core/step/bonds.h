@@ -24,13 +24,11 @@ struct BondStrain {
   Pack xx, yy, xy;
 };
 VBGPD_INLINE BondStrain twice_bond_strain(const BondEnd& a, const StepData& d, int j, const Offset& o) {
-  const double half_x = 0.5 * o.xi_x, half_y = 0.5 * o.xi_y;
   const Pack sxx = a.lxx + load(d.lxx + j), sxy = a.lxy + load(d.lxy + j);
   const Pack syx = a.lyx + load(d.lyx + j), syy = a.lyy + load(d.lyy + j);
-  const Pack cx = (load(d.ux + j) - a.ux) - sxx * half_x - sxy * half_y;
-  const Pack cy = (load(d.uy + j) - a.uy) - syx * half_x - syy * half_y;
-  const double nx = 2 * o.n_x, ny = 2 * o.n_y;
-  return {sxx + cx * nx, syy + cy * ny, (sxy + syx) * 0.5 + cx * o.n_y + cy * o.n_x};
+  const Pack dx = load(d.ux + j) - a.ux, dy = load(d.uy + j) - a.uy;
+  const Pack cx = (dx + dx) - sxx * o.xi_x - sxy * o.xi_y, cy = (dy + dy) - syx * o.xi_x - syy * o.xi_y;
+  return {sxx + cx * o.n_x, syy + cy * o.n_y, ((sxy + syx) + cx * o.n_y + cy * o.n_x) * 0.5};
 }
 
 /// A pack of bonds while it is worked on: stress, first trial, then returned, then times half the bond volume.
