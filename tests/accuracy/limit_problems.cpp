@@ -1,0 +1,56 @@
+// Exact collapse loads, as factors of safety whose true value is 1: each on one grid and extrapolated over two.
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "analysis/job.h"
+#include "exchange/scene_buffer.h"
+#include "exchange/scene_text.h"
+#include "problem.h"
+#include "simulation/simulation.h"
+
+namespace vbgpd::accuracy {
+
+namespace {
+
+SceneDef read_scene(const std::string& name) {
+  std::ifstream file(std::string(VBGPD_SCENES_DIR) + "/" + name + ".json");
+  std::stringstream text;
+  text << file.rdbuf();
+  return scene_from_flatbuffer(scene_text_to_flatbuffer(text.str(), name));
+}
+
+Outcome factor_of_safety(const char* name, int levels, const SceneDef& choice, double spacing) {
+  SceneDef s = read_scene(name);
+  s.bond = choice.bond, s.kernel = choice.kernel;
+  s.spacing = spacing;
+  const auto simulation = Simulation::compile(s, {});
+  const auto job = make_strength_reduction(*simulation);
+  job->set("levels", levels);
+  job->run(0, {});
+  const JobResult& r = job->result();
+  return {std::fabs(r.factor_of_safety - 1), simulation->particle_count(), r.steps, simulation->get("bytes")};
+}
+
+Outcome vertical_cut_1(const SceneDef& c, double h) { return factor_of_safety("vertical_cut", 1, c, h); }
+Outcome vertical_cut_2(const SceneDef& c, double h) { return factor_of_safety("vertical_cut", 2, c, h); }
+Outcome prandtl_1(const SceneDef& c, double h) { return factor_of_safety("prandtl_strip", 1, c, h); }
+Outcome prandtl_2(const SceneDef& c, double h) { return factor_of_safety("prandtl_strip", 2, c, h); }
+Outcome slope_45_1(const SceneDef& c, double h) { return factor_of_safety("slope_45", 1, c, h); }
+Outcome slope_45_2(const SceneDef& c, double h) { return factor_of_safety("slope_45", 2, c, h); }
+
+constexpr const char* kKind = "|FS - 1|";
+constexpr Problem kProblems[] = {
+    {"vertical_cut", kKind, "gamma H / c = 3.776, Pastor et al. 2000 bounds", 10, 40, vertical_cut_1},
+    {"vertical_cut_two_grids", kKind, "as before, extrapolated", 10, 40, vertical_cut_2},
+    {"prandtl", kKind, "q = (2 + pi) c, Prandtl 1921; rungs of the strip's width", 4, 20, prandtl_1},
+    {"prandtl_two_grids", kKind, "as before, extrapolated", 4, 20, prandtl_2},
+    {"slope_45", kKind, "gamma H / c = 6.012, this project's extrapolated number", 10, 40, slope_45_1},
+    {"slope_45_two_grids", kKind, "as before, extrapolated", 10, 40, slope_45_2},
+};
+
+}  // namespace
+
+std::span<const Problem> limit_problems() { return kProblems; }
+
+}  // namespace vbgpd::accuracy
