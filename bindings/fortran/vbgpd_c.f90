@@ -150,6 +150,16 @@ module vbgpd_c
     real(c_double) :: sliding_area = 0
   end type vbgpd_level
 
+  type, bind(C) :: vbgpd_feature
+    integer(c_int32_t) :: struct_size = 48
+    integer(c_int32_t) :: used = 0
+    type(c_ptr) :: name = c_null_ptr
+    type(c_ptr) :: doc = c_null_ptr
+    integer(c_int64_t) :: bytes = 0
+    real(c_double) :: bytes_per_particle = 0
+    real(c_double) :: bytes_per_bond = 0
+  end type vbgpd_feature
+
   type, bind(C) :: vbgpd_field_info
     integer(c_int32_t) :: struct_size = 40
     integer(c_int32_t) :: type = 0
@@ -465,6 +475,14 @@ module vbgpd_c
       real(c_double), intent(inout), optional :: value
       integer(c_int32_t) :: outcome
     end function vbgpd_model_get_f64
+
+    function vbgpd_model_plan(model, i, f) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: i
+      type(vbgpd_feature), intent(inout), optional :: f
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_plan
 
     function vbgpd_model_step(model, steps, r) result(outcome) bind(C)
       import

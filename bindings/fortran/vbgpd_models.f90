@@ -15,6 +15,7 @@ module vbgpd_models
     procedure :: destroy
     procedure :: set => set_number
     procedure :: get => get_number
+    procedure :: plan
     procedure :: step
     procedure :: cancel
     procedure :: item_count
@@ -76,6 +77,16 @@ contains
     call conclude(vbgpd_model_get_f64(self%handle, name, len_trim(name, c_int64_t), value), &
                   vbgpd_model_error, self%handle, stat, errmsg)
   end subroutine get_number
+
+  ! Feature i from 0, used or left out; stat VBGPD_END_OF_DATA past the last. vbgpd_text(record%name) is its name.
+  subroutine plan(self, i, record, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int64_t), intent(in) :: i
+    type(vbgpd_feature), intent(inout) :: record
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    call conclude(vbgpd_model_plan(self%handle, i, record), vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine plan
 
   ! Explicit dynamic steps with true masses at the stable time step.
   subroutine step(self, steps, report, stat, errmsg)

@@ -1,6 +1,7 @@
 // Models: compile a profile, step it, its named numbers.
 #include "convert.h"
 #include "guard.h"
+#include "plan.h"
 #include "scene/wording.h"
 
 namespace vbgpd::capi {
@@ -70,7 +71,9 @@ vbgpd_status vbgpd_model_set_f64(vbgpd_model* model, const char* name, int64_t l
 vbgpd_status vbgpd_model_get_f64(const vbgpd_model* model, const char* name, int64_t len, double* value) {
   return with(model, [&](ModelObject& object) {
     require_not_null(value, 4, "value");
-    *value = object.engine->simulation->get(text_in(name, len, 2, "name"));
+    const std::string_view key = text_in(name, len, 2, "name");
+    const std::optional<double> forecast = forecast_of(*object.engine->simulation, key);
+    *value = forecast ? *forecast : object.engine->simulation->get(key);
     return Status::kOk;
   });
 }

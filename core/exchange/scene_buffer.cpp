@@ -260,4 +260,6 @@ SceneDef scene_from_flatbuffer(std::span<const std::uint8_t> bytes) {
 
 std::vector<std::uint8_t> scene_to_flatbuffer(const SceneDef& scene) { return Writer().write(scene); }
 
+bool reads_flatbuffers() noexcept { return true; }
+
 }  // namespace vbgpd

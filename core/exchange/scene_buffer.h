@@ -17,4 +17,7 @@ SceneDef scene_from_flatbuffer(std::span<const std::uint8_t> bytes);
 /// The same scene as bytes, always in SI.
 std::vector<std::uint8_t> scene_to_flatbuffer(const SceneDef& scene);
 
+/// Whether this build can; without flatbuffers the two above throw Error(kUnsupported).
+bool reads_flatbuffers() noexcept;
+
 }  // namespace vbgpd

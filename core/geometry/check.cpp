@@ -1,11 +1,4 @@
-// The only file that includes CGAL. Exact predicates on the coordinates as given; kernel, Polygon_2 and intersections
-// are LGPL.
 #include "geometry/check.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_2.h>
-#include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/intersections.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +8,10 @@
 #include "geometry/check_scene.h"
 #include "geometry/format.h"
 #include "geometry/polygon.h"
+#include "geometry/predicates.h"
 
 namespace vbgpd {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Exact = Kernel::Point_2;
-using Segment = Kernel::Segment_2;
 
 constexpr int kMostCrossings = 1000;  // per polygon: more than a person reads, and memory stays bounded
 
@@ -32,6 +22,8 @@ bool usable(Real coordinate) { return std::abs(coordinate) <= 1e100; }
 struct Edge {
   Segment segment;
   std::size_t from, to;
+  Real left() const { return std::min(segment.from.x(), segment.to.x()); }
+  Real right() const { return std::max(segment.from.x(), segment.to.x()); }
 };
 
 // The faults of one polygon on its own.
@@ -55,7 +47,7 @@ class PolygonChecker {
       collect_distinct();
       if (points_.size() < 3) too_few();
       else if (collinear()) no_area();
-      else if (!CGAL::is_simple_2(points_.begin(), points_.end(), Kernel())) crossings(issues_.size() > before);
+      else if (!is_simple(points_)) crossings(issues_.size() > before);
     }
     return issues_.size() == before;
   }
@@ -107,12 +99,12 @@ class PolygonChecker {
     std::frexp(largest, &exponent_);
   }
 
-  Point as_given(const Exact& p) const { return {std::ldexp(p.x(), exponent_), std::ldexp(p.y(), exponent_)}; }
+  Point as_given(const Vec2& p) const { return {std::ldexp(p.x(), exponent_), std::ldexp(p.y(), exponent_)}; }
 
   // Vertices without repeats in a row: those are reported already and have no edge of their own.
   void collect_distinct() {
     for (std::size_t i = 0; i < polygon_.size(); ++i) {
-      const Exact p(std::ldexp(polygon_[i].x, -exponent_), std::ldexp(polygon_[i].y, -exponent_));
+      const Vec2 p(std::ldexp(polygon_[i].x, -exponent_), std::ldexp(polygon_[i].y, -exponent_));
       if (!points_.empty() && points_.back() == p) continue;
       points_.push_back(p);
       index_.push_back(i);
@@ -131,7 +123,7 @@ class PolygonChecker {
 
   bool collinear() const {
     return std::all_of(points_.begin() + 2, points_.end(),
-                       [&](const Exact& p) { return CGAL::collinear(points_[0], points_[1], p); });
+                       [&](const Vec2& p) { return orientation(points_[0], points_[1], p) == 0; });
   }
 
   void no_area() {
@@ -144,10 +136,9 @@ class PolygonChecker {
     std::vector<Edge> result;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const std::size_t j = (i + 1) % points_.size();
-      result.push_back({Segment(points_[i], points_[j]), index_[i], index_[j]});
+      result.push_back({{points_[i], points_[j]}, index_[i], index_[j]});
     }
-    std::sort(result.begin(), result.end(),
-              [](const Edge& a, const Edge& b) { return a.segment.min().x() < b.segment.min().x(); });
+    std::sort(result.begin(), result.end(), [](const Edge& a, const Edge& b) { return a.left() < b.left(); });
     return result;
   }
 
@@ -159,8 +150,8 @@ class PolygonChecker {
     const std::vector<Edge> all = edges();
     int count = 0;
     for (std::size_t i = 0; i < all.size(); ++i)
-      for (std::size_t j = i + 1; j < all.size() && all[j].segment.min().x() <= all[i].segment.max().x(); ++j)
-        if (CGAL::do_intersect(all[i].segment, all[j].segment) && ++count <= kMostCrossings) crossing(all[i], all[j]);
+      for (std::size_t j = i + 1; j < all.size() && all[j].left() <= all[i].right(); ++j)
+        if (meeting(all[i].segment, all[j].segment).any && ++count <= kMostCrossings) crossing(all[i], all[j]);
     issues_.swap(found);
     std::sort(found.begin(), found.end(),
               [](const Issue& a, const Issue& b) { return a.item != b.item ? a.item < b.item : a.value < b.value; });
@@ -171,15 +162,14 @@ class PolygonChecker {
 
   void crossing(const Edge& a, const Edge& b) {
     const Edge &e = a.from < b.from ? a : b, &f = a.from < b.from ? b : a;
-    const auto result = CGAL::intersection(e.segment, f.segment);
-    if (!result) return;
-    if (const Segment* common = boost::get<Segment>(&*result)) return overlap(e, f, *common);
-    const Exact* p = boost::get<Exact>(&*result);
-    const bool end_of_e = *p == e.segment.source() || *p == e.segment.target();
-    const bool end_of_f = *p == f.segment.source() || *p == f.segment.target();
+    const Meeting common = meeting(e.segment, f.segment);
+    if (common.piece) return overlap(e, f, common);
+    const Vec2& p = common.from;
+    const bool end_of_e = p == e.segment.from || p == e.segment.to;
+    const bool end_of_f = p == f.segment.from || p == f.segment.to;
     if (end_of_e && end_of_f) return;  // neighbours, or a repeated vertex reported as such
     if (touches(e, f) || touches(f, e)) return;
-    const Point at = as_given(*p);
+    const Point at = as_given(p);
     report(e.from, at, static_cast<Real>(f.from),
            "edges " + std::to_string(e.from) + " and " + std::to_string(f.from) + " cross at " +
                place(at.x, at.y, extent_) + "; a polygon must not cross itself");
@@ -187,8 +177,7 @@ class PolygonChecker {
 
   // Does f end exactly on e? Reported once per vertex, by the edge that starts there.
   bool touches(const Edge& e, const Edge& f) {
-    const Exact& start = f.segment.source();
-    if (!e.segment.has_on(start)) return e.segment.has_on(f.segment.target());
+    if (!on_segment(f.segment.from, e.segment)) return on_segment(f.segment.to, e.segment);
     const Point& at = polygon_[f.from];
     report(f.from, at, static_cast<Real>(e.from),
            "vertex " + std::to_string(f.from) + " lies on edge " + std::to_string(e.from) + " at " +
@@ -196,8 +185,8 @@ class PolygonChecker {
     return true;
   }
 
-  void overlap(const Edge& e, const Edge& f, const Segment& common) {
-    const Point from = as_given(common.source()), to = as_given(common.target());
+  void overlap(const Edge& e, const Edge& f, const Meeting& common) {
+    const Point from = as_given(common.from), to = as_given(common.to);
     report(e.from, from, static_cast<Real>(f.from),
            "edges " + std::to_string(e.from) + " and " + std::to_string(f.from) + " run over each other from " +
                place(from.x, from.y, extent_) + " to " + place(to.x, to.y, extent_) +
@@ -212,7 +201,7 @@ class PolygonChecker {
   std::vector<Issue>& issues_;
   std::size_t distinct_ = 0;
   int exponent_ = 0;
-  std::vector<Exact> points_;
+  Vertices points_;
   std::vector<std::size_t> index_;  // per point: its number in the polygon as given
 };
 

@@ -1,4 +1,4 @@
-// Exact checks of the profile polygons. CGAL (LGPL parts only) lives behind this header and nowhere else.
+// Exact checks of the profile polygons; the exact part is geometry/predicates.h.
 #pragma once
 
 #include <vector>

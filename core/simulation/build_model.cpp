@@ -169,6 +169,7 @@ Model build_model(const SceneDef& scene, const Section& section, int width) {
     const auto n = static_cast<std::size_t>(i);
     m.force_scale += std::fabs(m.force_x[n]) * m.free_x[n] + std::fabs(m.force_y[n]) * m.free_y[n];
   }
+  m.neighbours.shrink_to_fit(), m.packs.shrink_to_fit(), m.blocks.shrink_to_fit(), m.guided.shrink_to_fit();
   return m;
 }
 

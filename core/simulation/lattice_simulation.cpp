@@ -286,6 +286,15 @@ void LatticeSimulation::restore(const SavedState& other) {
   time_ = saved.time, steps_ = saved.steps, since_restart_ = saved.since_restart;
 }
 
+std::size_t LatticeSimulation::bytes() const {
+  std::size_t sum = model_.bytes() + state_.bytes() + scratch_.bytes() + probe_.bytes();
+  for (const Array* a : {&zero_, &dilation_cap_, &dynamic_mobility_x_, &dynamic_mobility_y_, &relaxing_mobility_x_,
+                         &relaxing_mobility_y_})
+    sum += a->bytes();
+  return sum + section_.seeds.capacity() * sizeof(Seed) + section_.cut_pairs.capacity() * sizeof(CutPair) +
+         partial_.capacity() * sizeof(Sums);
+}
+
 Real LatticeSimulation::elastic_energy() const {
   evaluate();
   return vbgpd::elastic_energy(model_, probe_, scratch_, constants_, 1 / factor_);
@@ -333,7 +342,7 @@ double LatticeSimulation::get(std::string_view name) const {
   if (name == "particles") return static_cast<double>(model_.particles);
   if (name == "bonds") return static_cast<double>(model_.bonds);
   if (name == "plastic_bonds") return static_cast<double>(vbgpd::plastic_bonds(model_, state_));
-  if (name == "bytes") return static_cast<double>(model_.bytes() + state_.bytes() + scratch_.bytes());
+  if (name == "bytes") return static_cast<double>(bytes());
   if (name == "kinetic_energy") return monitors().kinetic_energy;
   if (name == "elastic_energy") return elastic_energy();
   if (name == "plastic_dissipation") return ledger_.plastic;

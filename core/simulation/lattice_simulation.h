@@ -32,6 +32,7 @@ class LatticeSimulation final : public Simulation {
   void read(int field, std::vector<double>& out) const override;
   void read(int field, std::vector<std::int64_t>& out) const override;
   std::uint64_t state_hash() const override { return state_.hash(); }
+  std::vector<Feature> plan() const override;
 
   const Model& model() const { return model_; }
   State& state() { return state_; }
@@ -43,6 +44,7 @@ class LatticeSimulation final : public Simulation {
   struct Ledger {
     Real external = 0, damping = 0, plastic = 0;
   };
+  std::size_t bytes() const;
   StepData data(State& state, Scratch& scratch) const;
   void run_step(State& state, Scratch& scratch, const Controls& controls, Sums& sums) const;
   /// Highest natural frequency with the given masses: power iteration on the elastic operator.

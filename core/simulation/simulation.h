@@ -11,6 +11,7 @@
 
 #include "geometry/section.h"
 #include "scene/scene_def.h"
+#include "simulation/plan.h"
 
 namespace vbgpd {
 
@@ -119,6 +120,9 @@ class Simulation {
   virtual void read(int field, std::vector<double>& out) const = 0;
   virtual void read(int field, std::vector<std::int64_t>& out) const = 0;  ///< integer fields only
   virtual std::uint64_t state_hash() const = 0;
+
+  /// Every feature as used or left out; their bytes add up to "bytes". By default all of them in one entry.
+  virtual std::vector<Feature> plan() const;
 };
 
 }  // namespace vbgpd

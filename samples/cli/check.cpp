@@ -14,42 +14,47 @@ namespace cli {
 
 namespace {
 
-struct Features {
-  std::vector<std::string> used, left_out;
-  void add(const std::string& name, bool is_used) { (is_used ? used : left_out).push_back(name); }
-};
-
-bool any_material(const vbgpd_profile* profile, bool (*has)(double), const char* property) {
-  for (std::int64_t i = 0; i < count(profile, VBGPD_OBJECT_MATERIAL); ++i)
-    if (has(number(profile, VBGPD_OBJECT_MATERIAL, i, property))) return true;
-  return false;
-}
-
-std::vector<std::string> laws(const vbgpd_profile* profile) {
-  std::vector<std::string> names;
-  for (std::int64_t i = 0; i < count(profile, VBGPD_OBJECT_MATERIAL); ++i) {
-    std::string law = text(profile, VBGPD_OBJECT_MATERIAL, i, "law");
-    if (std::find(names.begin(), names.end(), law) == names.end()) names.push_back(std::move(law));
+std::vector<vbgpd_feature> plan(const vbgpd_model* model) {
+  std::vector<vbgpd_feature> features;
+  for (std::int64_t i = 0;; ++i) {
+    vbgpd_feature f{};
+    f.struct_size = sizeof f;
+    if (require(vbgpd_model_plan(model, i, &f), model) == VBGPD_END_OF_DATA) return features;
+    features.push_back(f);
   }
-  return names;
 }
 
-Features features(const vbgpd_profile* profile) {
-  const auto is_nonzero = [](double value) { return std::isfinite(value) && value != 0; };
-  const auto is_given = [](double value) { return std::isfinite(value); };
-  const auto scene_number = [&](const char* name) { return number(profile, VBGPD_OBJECT_PROFILE, 0, name); };
-  Features f;
-  for (const std::string& law : laws(profile)) f.add("law " + law, true);
-  const std::string bond = text(profile, VBGPD_OBJECT_PROFILE, 0, "bond");
-  f.add(bond == "none" ? "virtual bonds (nodal scheme instead)" : "virtual bonds", bond != "none");
-  f.add("kernel " + text(profile, VBGPD_OBJECT_PROFILE, 0, "kernel"), true);
-  f.add("dilatancy", any_material(profile, is_nonzero, "dilatancy_angle"));
-  f.add("tension cut-off", any_material(profile, is_given, "tension_cutoff"));
-  f.add("cohesion growing with depth", any_material(profile, is_nonzero, "cohesion_gradient"));
-  f.add("surface loads", count(profile, VBGPD_OBJECT_LOAD) > 0);
-  f.add("seismic coefficients", is_nonzero(scene_number("kh")) || is_nonzero(scene_number("kv")));
-  f.add("own boundaries", count(profile, VBGPD_OBJECT_BOUNDARY) > 0);
-  return f;
+std::vector<std::string> names(const std::vector<vbgpd_feature>& features, bool used) {
+  std::vector<std::string> found;
+  for (const vbgpd_feature& f : features)
+    if ((f.used != 0) == used) found.push_back(f.name);
+  return found;
+}
+
+/// "402 bytes per particle + 24 per bond"
+std::string bytes_text(double per_particle, double per_bond) {
+  std::string text = per_particle > 0 ? format("%.0f bytes per particle", per_particle) : "";
+  if (per_bond > 0) text += (text.empty() ? format("%.1f bytes", per_bond) : format(" + %.1f", per_bond)) + " per bond";
+  return text;
+}
+
+void print_memory(const std::vector<vbgpd_feature>& features) {
+  double bytes = 0, per_particle = 0, per_bond = 0;
+  for (const vbgpd_feature& f : features)
+    bytes += static_cast<double>(f.bytes), per_particle += f.bytes_per_particle, per_bond += f.bytes_per_bond;
+  std::printf("  %-10s %.1f MB: %s\n", "memory", bytes / 1e6, bytes_text(per_particle, per_bond).c_str());
+  for (const vbgpd_feature& f : features)
+    if (f.bytes > 0)
+      std::printf("  %-10s   %-24s %s\n", "", f.name, bytes_text(f.bytes_per_particle, f.bytes_per_bond).c_str());
+}
+
+void print_forecast(const vbgpd_model* model) {
+  std::printf(
+      "  %-10s factor of safety on this grid about %s and %.1f MB (an estimate, within a factor of three: "
+      "%.2g s per step measured here, %s steps)\n",
+      "expected", duration(number(model, "forecast_seconds")).c_str(), number(model, "forecast_bytes") / 1e6,
+      number(model, "forecast_step_seconds"),
+      with_thousands(static_cast<std::int64_t>(number(model, "forecast_steps"))).c_str());
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -69,12 +74,14 @@ void print_summary(const vbgpd_profile* profile, const vbgpd_model* model) {
   say("bonds", with_thousands(bonds));
   say("spacing",
       plain_number(number(model, "spacing_x"), 4) + " x " + plain_number(number(model, "spacing_y"), 4) + " m");
-  say("memory", format("%.1f MB", number(model, "bytes") / 1e6));
+  say("kernel", text(profile, VBGPD_OBJECT_PROFILE, 0, "kernel"));
   for (std::int64_t i = 0; i < count(profile, VBGPD_OBJECT_MATERIAL); ++i)
     say("material", text(profile, VBGPD_OBJECT_MATERIAL, i, "name") + ": " + material_text(profile, i));
-  const Features f = features(profile);
-  say("uses", joined(f.used));
-  say("left out", joined(f.left_out));
+  const std::vector<vbgpd_feature> features = plan(model);
+  say("uses", joined(names(features, true)));
+  say("left out", joined(names(features, false)));
+  print_memory(features);
+  print_forecast(model);
 }
 
 }  // namespace

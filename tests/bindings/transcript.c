@@ -243,6 +243,13 @@ static void step_dynamics(vbgpd_model* model) {
   MODEL_FAILED(vbgpd_model_step(model, -1, NULL));
 }
 
+static void step_plan(vbgpd_model* model) {
+  vbgpd_feature f = {.struct_size = sizeof f};
+  for (int64_t i = 0; vbgpd_model_plan(model, i, &f) == VBGPD_OK; ++i) {
+    printf("21 %d %s %" PRId64 " %s %s\n", f.used, f.name, f.bytes, hex(f.bytes_per_particle), hex(f.bytes_per_bond));
+  }
+}
+
 static int32_t VBGPD_CALL stop_at_once(void* user, const vbgpd_progress* p) {
   *(int*)user += p->fraction >= 0 && p->fraction <= 1;
   return 1;
@@ -334,6 +341,7 @@ int main(void) {
   step_equilibrium(model);
   step_fields(model);
   step_dynamics(model);
+  step_plan(model);
   vbgpd_model_destroy(model);
   vbgpd_model_create(context, profile, &model);
   vbgpd_job_create_strength_reduction(model, &job);

@@ -344,6 +344,21 @@ contains
     call model_failed(model, s)
   end subroutine step_fields
 
+  subroutine step_plan(model)
+    type(vbgpd_model), intent(in) :: model
+    type(vbgpd_feature) :: f
+    integer(c_int64_t) :: i
+    integer(c_int32_t) :: s
+    i = 0
+    do
+      call model%plan(i, f, s)
+      if (s /= VBGPD_OK) exit
+      call say("21 " // num32(f%used) // " " // vbgpd_text(f%name) // " " // num(f%bytes) // &
+               hexes([f%bytes_per_particle, f%bytes_per_bond]))
+      i = i + 1
+    end do
+  end subroutine step_plan
+
   subroutine step_dynamics(model)
     type(vbgpd_model), intent(in) :: model
     type(vbgpd_advance_result) :: r
@@ -493,6 +508,7 @@ program transcript
   call step_equilibrium(model)
   call step_fields(model)
   call step_dynamics(model)
+  call step_plan(model)
   call model%create(context, profile)
   call job%create_strength_reduction(model)
   call step_strength_reduction(model, job)

@@ -143,6 +143,11 @@ def dynamics(model):
     print(f"21 cancelled 0 {status:d} {r.steps}, minus one step:", failure(model.step, -1))
 
 
+def plan(model):
+    for f in model.plan():
+        print("21", f.used, f.name.decode(), f.bytes, hexes(f.bytes_per_particle, f.bytes_per_bond))
+
+
 def strength_reduction(model, job):
     job.set("levels", 1)
     print("22 option 0, unknown:", failure(job.set, "level", 1))
@@ -203,6 +208,7 @@ print("15 model 0", numbers(model, "particles", "bonds", "area", "height", "tota
 equilibrium(model)
 read_fields(model)
 dynamics(model)
+plan(model)
 model = vbgpd.Model(context, profile)
 job = vbgpd.Job.strength_reduction(model)
 strength_reduction(model, job)

@@ -165,8 +165,8 @@ static void bytes_that_are_no_scene(vbgpd_context* context) {
   static const unsigned char noise[64] = {16, 0, 0, 0, 'V', 'B', 'G', 'P', 255, 255, 255, 127};
   vbgpd_profile* p = NULL;
   vbgpd_error_info info;
-  CHECK_STATUS(VBGPD_E_FORMAT, vbgpd_profile_create_from_flatbuffer(context, noise, sizeof noise, &p));
-  CHECK_STATUS(VBGPD_E_FORMAT, vbgpd_profile_create_from_flatbuffer(context, noise, 0, &p));
+  CHECK_STATUS(STATUS_OF_NOISE, vbgpd_profile_create_from_flatbuffer(context, noise, sizeof noise, &p));
+  CHECK_STATUS(STATUS_OF_NOISE, vbgpd_profile_create_from_flatbuffer(context, noise, 0, &p));
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_profile_create_from_flatbuffer(context, noise, -1, &p));
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_profile_create_from_flatbuffer(context, NULL, 9, &p));
   CHECK(p == NULL);

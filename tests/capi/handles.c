@@ -11,6 +11,7 @@ static uint64_t hash;
 static void* out;
 static vbgpd_error_info info;
 static vbgpd_advance_result advance;
+static vbgpd_feature feature;
 static vbgpd_progress progress;
 static vbgpd_trial trial;
 static vbgpd_level level;
@@ -42,6 +43,7 @@ static vbgpd_level level;
   X(MODEL, vbgpd_model_set_f64, (h, "damping", 7, 0.0))                                          \
   X(MODEL, vbgpd_model_get_f64, (h, "time", 4, &value))                                          \
   X(MODEL, vbgpd_model_step, (h, 1, &advance))                                                   \
+  X(MODEL, vbgpd_model_plan, (h, 0, &feature))                                                   \
   X(MODEL, vbgpd_model_cancel, (h))                                                              \
   X(MODEL, vbgpd_job_create_equilibrium, (h, (vbgpd_job**)&out))                                 \
   X(MODEL, vbgpd_job_create_strength_reduction, (h, (vbgpd_job**)&out))                          \

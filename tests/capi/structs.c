@@ -18,6 +18,7 @@ static vbgpd_status fill_field(void* s) { return vbgpd_field_info_at(0, (vbgpd_f
 static vbgpd_status fill_advance(void* s) { return vbgpd_model_step(model, 0, (vbgpd_advance_result*)s); }
 static vbgpd_status fill_progress(void* s) { return vbgpd_job_run(job, 0, NULL, NULL, (vbgpd_progress*)s); }
 static vbgpd_status fill_trial(void* s) { return vbgpd_job_trial(job, 0, (vbgpd_trial*)s); }
+static vbgpd_status fill_feature(void* s) { return vbgpd_model_plan(model, 0, (vbgpd_feature*)s); }
 static vbgpd_status fill_level(void* s) { return vbgpd_job_level(job, 0, (vbgpd_level*)s); }
 
 static void put_size(unsigned char* bytes, uint32_t size) {
@@ -122,6 +123,7 @@ int main(void) {
   check_struct(fill_progress, sizeof(vbgpd_progress)); /* a finished job repeats its outcome */
   check_struct(fill_trial, sizeof(vbgpd_trial));
   check_struct(fill_level, sizeof(vbgpd_level));
+  check_struct(fill_feature, sizeof(vbgpd_feature));
   short_context_desc();
   wrong_context_desc();
   CHECK_OK(vbgpd_job_destroy(job));

@@ -68,6 +68,14 @@ class _Object:
         key = name.encode()
         return text_from(lambda *buffer: self._call("get_text", *before, key, len(key), *buffer))
 
+    def _records(self, function, kind):
+        listed = []
+        while True:
+            record = kind()
+            if self._call(function, len(listed), ctypes.byref(record)) == Status.END_OF_DATA:
+                return listed
+            listed.append(record)
+
     def close(self):
         """Destroys the object; closing twice is allowed."""
         if self._handle:
@@ -246,6 +254,10 @@ class Model(_Object):
         self._call(function, info.index, address(out, number), out.strides[0], component, items, None)
         return out
 
+    def plan(self):
+        """Every feature of the engine, used or left out, and its bytes: records with the members of vbgpd_feature."""
+        return self._records("plan", _raw.vbgpd_feature)
+
     @property
     def state_hash(self):
         """64-bit hash of everything that changes: same run = same hash, at any thread count."""
@@ -311,14 +323,6 @@ class Job(_Object):
     def get_text(self, name):
         """"status", "reason", "scheme", "reduced" or "flow_rule"."""
         return self._get_text(name)
-
-    def _records(self, function, kind):
-        listed = []
-        while True:
-            record = kind()
-            if self._call(function, len(listed), ctypes.byref(record)) == Status.END_OF_DATA:
-                return listed
-            listed.append(record)
 
     def trials(self):
         """Every strength reduction factor tried, with its evidence: records with the members of vbgpd_trial."""

@@ -185,6 +185,18 @@ class vbgpd_level(Record):
     ]
 
 
+class vbgpd_feature(Record):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("used", c_int32),
+        ("name", c_char_p),
+        ("doc", c_char_p),
+        ("bytes", c_int64),
+        ("bytes_per_particle", c_double),
+        ("bytes_per_bond", c_double),
+    ]
+
+
 class vbgpd_field_info(Record):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -249,6 +261,7 @@ FUNCTIONS = {
     "vbgpd_model_destroy": (c_int32, (vbgpd_model,)),
     "vbgpd_model_set_f64": (c_int32, (vbgpd_model, c_char_p, c_int64, c_double)),
     "vbgpd_model_get_f64": (c_int32, (vbgpd_model, c_char_p, c_int64, POINTER(c_double))),
+    "vbgpd_model_plan": (c_int32, (vbgpd_model, c_int64, POINTER(vbgpd_feature))),
     "vbgpd_model_step": (c_int32, (vbgpd_model, c_int64, POINTER(vbgpd_advance_result))),
     "vbgpd_model_cancel": (c_int32, (vbgpd_model,)),
     # jobs: long analyses in slices

@@ -181,8 +181,20 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* 
 /* the above and: time, steps, stable_time_step, time_step, unbalanced_force_ratio, max_displacement, max_velocity,
  * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds, plastic_bonds,
  * bytes, and the energy ledger since creation: kinetic_energy, elastic_energy, plastic_dissipation, damping_dissipation,
- * external_work, energy_residual (relative to the largest of them) */
+ * external_work, energy_residual (relative to the largest of them); and estimates of a factor of safety on this grid, from
+ * steps run on a copy when asked: forecast_step_seconds (measured), forecast_steps, forecast_seconds, forecast_bytes */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_get_f64(const vbgpd_model*, const char* name, int64_t len, double* value);
+/* What the model uses of everything the engine can do. A feature left out has no bytes and costs no time. Some begin to be used
+ * (relaxation by the first job, dynamic steps by the first _step, copies for fields by the first reading). */
+typedef struct vbgpd_feature {
+  uint32_t struct_size;
+  int32_t used;              /* 1 used, 0 left out */
+  const char *name, *doc;    /* static text */
+  int64_t bytes;             /* allocated now; all features together are the model's "bytes" */
+  double bytes_per_particle; /* its arrays over the particles, per particle */
+  double bytes_per_bond;     /* its arrays over the bonds, per bond; 0 without bonds */
+} vbgpd_feature;
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_plan(const vbgpd_model*, int64_t i, vbgpd_feature* f); /* END_OF_DATA past the last */
 
 typedef struct vbgpd_progress {
   uint32_t struct_size;
