@@ -89,6 +89,16 @@ module vbgpd_c
     integer(c_int32_t) :: max_open = 0
   end type vbgpd_property_info
 
+  type, bind(C) :: vbgpd_feature
+    integer(c_int32_t) :: struct_size = 48
+    integer(c_int32_t) :: used = 0
+    type(c_ptr) :: name = c_null_ptr
+    type(c_ptr) :: doc = c_null_ptr
+    integer(c_int64_t) :: bytes = 0
+    real(c_double) :: bytes_per_particle = 0
+    real(c_double) :: bytes_per_bond = 0
+  end type vbgpd_feature
+
   type, bind(C) :: vbgpd_progress
     integer(c_int32_t) :: struct_size = 72
     integer(c_int32_t) :: level = 0
@@ -149,16 +159,6 @@ module vbgpd_c
     real(c_double) :: error_estimate = 0
     real(c_double) :: sliding_area = 0
   end type vbgpd_level
-
-  type, bind(C) :: vbgpd_feature
-    integer(c_int32_t) :: struct_size = 48
-    integer(c_int32_t) :: used = 0
-    type(c_ptr) :: name = c_null_ptr
-    type(c_ptr) :: doc = c_null_ptr
-    integer(c_int64_t) :: bytes = 0
-    real(c_double) :: bytes_per_particle = 0
-    real(c_double) :: bytes_per_bond = 0
-  end type vbgpd_feature
 
   type, bind(C) :: vbgpd_field_info
     integer(c_int32_t) :: struct_size = 40

@@ -97,6 +97,27 @@ static void jobs_and_models(vbgpd_context* context) {
   CHECK_OK(vbgpd_model_destroy(model));
 }
 
+static void plan(vbgpd_context* context) {
+  vbgpd_model* model = make_model(context, 1);
+  vbgpd_feature f;
+  int64_t i, left_out = 0;
+  double sum = 0, seconds, step;
+  f.struct_size = sizeof f;
+  for (i = 0; vbgpd_model_plan(model, i, &f) == VBGPD_OK; ++i) {
+    CHECK(f.name != NULL && f.doc[0] != 0 && (f.used == 0 || f.used == 1));
+    CHECK(f.used || (f.bytes == 0 && f.bytes_per_particle == 0 && f.bytes_per_bond == 0));
+    left_out += !f.used;
+    sum += (double)f.bytes;
+  }
+  CHECK(left_out > 5 && i - left_out > 5);
+  CHECK(sum == model_number(model, "bytes"));
+  seconds = model_number(model, "forecast_seconds"), step = model_number(model, "forecast_step_seconds");
+  CHECK(seconds > 0 && step > 0 && step < seconds);
+  CHECK(model_number(model, "forecast_bytes") > sum);
+  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_model_get_f64(model, "forecast_weather", VBGPD_STRLEN, &step));
+  CHECK_OK(vbgpd_model_destroy(model));
+}
+
 static void versions(void) {
   char expected[32];
   const int32_t number = vbgpd_version_number();
@@ -127,6 +148,7 @@ int main(void) {
   texts(profile);
   layers_follow_their_material(profile);
   jobs_and_models(context);
+  plan(context);
   versions();
   CHECK_OK(vbgpd_profile_destroy(profile));
   CHECK_OK(vbgpd_context_destroy(context));

@@ -75,7 +75,7 @@ TEST(TargetError, StopsAtTheLimitOfParticles) {
 }
 
 TEST(Budget, IsKeptAndUsedAndTheNextGridPredicted) {
-  constexpr double kBudget = 2;
+  constexpr double kBudget = 4;
   const Solved r = solve(vertical_cut(1.25), {{"budget", kBudget}});
   const JobResult& result = r.job->result();
   EXPECT_EQ(r.status, Status::kOk) << result.reason;

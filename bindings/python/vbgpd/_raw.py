@@ -116,6 +116,18 @@ class vbgpd_property_info(Record):
     ]
 
 
+class vbgpd_feature(Record):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("used", c_int32),
+        ("name", c_char_p),
+        ("doc", c_char_p),
+        ("bytes", c_int64),
+        ("bytes_per_particle", c_double),
+        ("bytes_per_bond", c_double),
+    ]
+
+
 class vbgpd_progress(Record):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -182,18 +194,6 @@ class vbgpd_level(Record):
         ("estimate", c_double),
         ("error_estimate", c_double),
         ("sliding_area", c_double),
-    ]
-
-
-class vbgpd_feature(Record):
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("used", c_int32),
-        ("name", c_char_p),
-        ("doc", c_char_p),
-        ("bytes", c_int64),
-        ("bytes_per_particle", c_double),
-        ("bytes_per_bond", c_double),
     ]
 
 

@@ -336,8 +336,8 @@ class ErrorAgainstTime(ProgramTest):
 
     def test_a_budget_is_kept(self):
         start = time.monotonic()
-        r = self.result("--budget", "1.5")
-        self.assertLess(time.monotonic() - start, 10)
+        r = self.result("--budget", "4")
+        self.assertLess(time.monotonic() - start, 15)
         self.assertGreaterEqual(len(r["levels"]), 2)
         self.assertIn("budget", r["reason"])
 
