@@ -102,6 +102,7 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
   m.stress_scale = std::max(heaviest * m.height, load);
   if (!(m.stress_scale > 0)) m.stress_scale = 1;
   const Real least = 1e-6 * m.stress_scale / m.height;
+  Real soil = 0, compliance = 0;
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
     const Seed& seed = section.seeds[k];
     const auto i = static_cast<std::size_t>(m.storage_of[k]);
@@ -111,7 +112,7 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
     m.mass[i] = inertial * seed.volume / scene.gravity;
     m.force_x[i] = scene.kh * weight;
     m.force_y[i] = -(1 + scene.kv) * weight;
-    m.stiffness = std::max(m.stiffness, d.young_modulus);
+    if (seed.hold == Hold::kFree) soil += seed.volume, compliance += seed.volume / d.young_modulus;
     if (m.features.cohesion_gradient && d.cohesion_gradient > 0) {
       const Real y = section.lattice.center(seed.ix, seed.iy).y();
       m.extra_cohesion[i] = d.cohesion_gradient * std::max<Real>(0, d.cohesion_datum - y);
@@ -132,6 +133,8 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
       m.guided.push_back(g);
     }
   }
+  // rock under a slope must not make its displacements look large, nor a soft lens all of it soft
+  m.stiffness = soil / compliance;
 }
 
 }  // namespace

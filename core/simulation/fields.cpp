@@ -37,6 +37,8 @@ constexpr FieldInfo kFields[] = {
 
 constexpr NamedValue kValues[] = {
     {"damping", "1", "local damping coefficient of dynamic steps: f_d = -alpha |f| sgn v", 0, 0, 1, true, true},
+    {"time_step_factor", "1", "dynamic time step over the stable one; above 1 a run diverges, which is noticed",
+     kDefaultTimeStepFactor, 1e-6, 4, false, true},
     {"strength_reduction_factor", "1", "F by which c and tan phi are divided", 1, 1e-3, 1e3, false, true},
     {"time", "s", "simulated time", 0, 0, kInf, false, false},
     {"steps", "1", "dynamic steps done", 0, 0, kInf, false, false},

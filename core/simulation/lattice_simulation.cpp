@@ -38,6 +38,7 @@ LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions
 
 void LatticeSimulation::set_factor(Real factor) {
   factor_ = factor;
+  audit_.valid = false;
   constants_ = pair_constants(model_, factor_, false);
   if (!model_.features.volumetric_plastic) return;
   if (!dilation_cap_.present()) dilation_cap_.allocate(static_cast<std::size_t>(model_.storage), 12);
@@ -143,7 +144,7 @@ Real LatticeSimulation::highest_frequency(const Array& mass) const {
 
 Real LatticeSimulation::dynamic_time_step() const {
   if (dynamic_frequency_ == 0) dynamic_frequency_ = highest_frequency(model_.mass);
-  return kStepMargin * 2 / dynamic_frequency_;
+  return time_step_factor_ * 2 / dynamic_frequency_;
 }
 
 Controls LatticeSimulation::evaluation_controls() const {
@@ -191,6 +192,8 @@ StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* 
   State kept = state_;
   Ledger kept_ledger = ledger_;
   std::int64_t kept_at = 0;
+  const std::int64_t steps_before = steps_;
+  if (!audit_.valid) begin_audit();
   for (std::int64_t n = 0; n < steps; ++n) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) {
       report.status = Status::kCancelled;
@@ -209,6 +212,11 @@ StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* 
     ledger_.external += sums.external_work, ledger_.damping -= sums.damping_work, ledger_.plastic += sums.plastic_work;
     ++steps_, ++report.steps;
     time_ += c.time_step;
+    if (!passes_audit()) {
+      report.steps = std::max<std::int64_t>(0, steps_ - steps_before);
+      report.status = Status::kDiverged;
+      return report;
+    }
   }
   return report;
 }
@@ -218,22 +226,22 @@ Monitors LatticeSimulation::monitors() const {
   Monitors out;
   out.unbalanced_force_ratio = model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;
   out.max_displacement = std::sqrt(sums.displacement2);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.storage); ++i) {
-    const Real v2 = state_.velocity_x[i] * state_.velocity_x[i] + state_.velocity_y[i] * state_.velocity_y[i];
-    out.max_velocity = std::max(out.max_velocity, std::sqrt(v2));
-    out.kinetic_energy += model_.mass[i] * v2 / 2 * (model_.free_x[i] + model_.free_y[i] > 0 ? 1 : 0);
-  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.storage); ++i)
+    out.max_velocity = std::max(out.max_velocity, std::hypot(state_.velocity_x[i], state_.velocity_y[i]));
+  out.kinetic_energy = kinetic_energy();
   out.plastic_bonds = vbgpd::plastic_bonds(model_, state_);
   return out;
 }
 
 void LatticeSimulation::halt() {
+  audit_.valid = false;
   state_.velocity_x.fill_zero();
   state_.velocity_y.fill_zero();
   since_restart_ = 0;
 }
 
 RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& options) {
+  audit_.valid = false;
   const Workers::Session session(workers_);
   if (!relaxing_mobility_x_.present()) {
     set_mobility(model_.scaled_mass, relaxing_mobility_x_, relaxing_mobility_y_);
@@ -287,7 +295,7 @@ void LatticeSimulation::restore(const SavedState& other) {
 }
 
 std::size_t LatticeSimulation::bytes() const {
-  std::size_t sum = model_.bytes() + state_.bytes() + scratch_.bytes() + probe_.bytes();
+  std::size_t sum = model_.bytes() + state_.bytes() + scratch_.bytes() + probe_.bytes() + audit_.state.bytes();
   for (const Array* a : {&zero_, &dilation_cap_, &dynamic_mobility_x_, &dynamic_mobility_y_, &relaxing_mobility_x_,
                          &relaxing_mobility_y_})
     sum += a->bytes();
@@ -312,6 +320,7 @@ void LatticeSimulation::set(std::string_view name, double value) {
       throw Error(issue);
     }
     if (name == "damping") damping_ = value;
+    if (name == "time_step_factor") time_step_factor_ = value;
     if (name == "strength_reduction_factor") set_factor(value);
     return;
   }
@@ -320,11 +329,12 @@ void LatticeSimulation::set(std::string_view name, double value) {
 
 double LatticeSimulation::get(std::string_view name) const {
   if (name == "damping") return damping_;
+  if (name == "time_step_factor") return time_step_factor_;
   if (name == "strength_reduction_factor") return factor_;
   if (name == "time") return time_;
   if (name == "steps") return static_cast<double>(steps_);
   if (name == "time_step") return dynamic_time_step();
-  if (name == "stable_time_step") return dynamic_time_step() / kStepMargin;
+  if (name == "stable_time_step") return dynamic_time_step() / time_step_factor_;
   if (name == "unbalanced_force_ratio") return monitors().unbalanced_force_ratio;
   if (name == "max_displacement") return monitors().max_displacement;
   if (name == "max_velocity") return monitors().max_velocity;
@@ -343,13 +353,13 @@ double LatticeSimulation::get(std::string_view name) const {
   if (name == "bonds") return static_cast<double>(model_.bonds);
   if (name == "plastic_bonds") return static_cast<double>(vbgpd::plastic_bonds(model_, state_));
   if (name == "bytes") return static_cast<double>(bytes());
-  if (name == "kinetic_energy") return monitors().kinetic_energy;
+  if (name == "kinetic_energy") return kinetic_energy();
   if (name == "elastic_energy") return elastic_energy();
   if (name == "plastic_dissipation") return ledger_.plastic;
   if (name == "damping_dissipation") return ledger_.damping;
   if (name == "external_work") return ledger_.external;
   if (name == "energy_residual") {
-    const Real kinetic = monitors().kinetic_energy, elastic = elastic_energy();
+    const Real kinetic = kinetic_energy(), elastic = elastic_energy();
     const Real largest = std::max({std::fabs(ledger_.external), kinetic, elastic, ledger_.plastic, ledger_.damping});
     const Real residual = ledger_.external - kinetic - elastic - ledger_.plastic - ledger_.damping - half_step_work();
     return largest > 0 ? std::fabs(residual) / largest : 0;

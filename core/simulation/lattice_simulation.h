@@ -35,7 +35,10 @@ class LatticeSimulation final : public Simulation {
   std::vector<Feature> plan() const override;
 
   const Model& model() const { return model_; }
-  State& state() { return state_; }
+  State& state() {
+    audit_.valid = false;
+    return state_;
+  }
   const std::vector<LawConstants>& constants() const { return constants_; }
   const Array& dilation_cap() const { return dilation_cap_; }
   StepData step_data_for_tests() { return data(state_, scratch_); }
@@ -43,6 +46,15 @@ class LatticeSimulation final : public Simulation {
  private:
   struct Ledger {
     Real external = 0, damping = 0, plastic = 0;
+    Real booked() const { return external - damping - plastic; }
+  };
+  /// An instant of dynamic stepping whose energy was found in order.
+  struct Audit {
+    bool valid = false;
+    State state;
+    Ledger ledger;
+    Real stored = 0, time = 0;
+    std::int64_t steps = 0;
   };
   std::size_t bytes() const;
   StepData data(State& state, Scratch& scratch) const;
@@ -55,6 +67,12 @@ class LatticeSimulation final : public Simulation {
   Controls evaluation_controls() const;
   /// Brings scratch up to date with the state without moving anything; returns the unbalanced force ratio.
   Sums evaluate() const;
+  Real kinetic_energy() const;
+  /// Kinetic and elastic energy at the time of the displacements.
+  Real stored_energy() const;
+  void begin_audit();
+  /// False when energy has come out of nothing since the audit before; every so many steps.
+  bool passes_audit();
   /// Work of the internal forces over the half step by which velocities lag behind displacements (leap-frog).
   Real half_step_work() const;
   void read_particles(int field, std::vector<double>& out) const;
@@ -75,9 +93,10 @@ class LatticeSimulation final : public Simulation {
   Array dynamic_mobility_x_, dynamic_mobility_y_, relaxing_mobility_x_, relaxing_mobility_y_;
   mutable Real dynamic_frequency_ = 0, relaxing_frequency_ = 0;
   std::vector<LawConstants> constants_, elastic_constants_;
-  Real factor_ = 1, damping_ = 0, time_ = 0;
+  Real factor_ = 1, damping_ = 0, time_step_factor_ = kDefaultTimeStepFactor, time_ = 0;
   std::int64_t steps_ = 0, since_restart_ = 0;
   Ledger ledger_;
+  Audit audit_;
 };
 
 }  // namespace vbgpd

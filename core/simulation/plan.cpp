@@ -64,13 +64,13 @@ std::vector<Feature> LatticeSimulation::plan() const {
   const Scratch& t = scratch_;
   const bool bonded = m.features.bond != BondLaw::kNone;
   const std::size_t packs = bytes_of(m.packs), plastic = s.plastic_strain.bytes();
-  const std::size_t particles = sum_of(m.volume, m.share, m.moment_xx, m.moment_xy, m.moment_yy, m.force_x, m.force_y,
-                                       m.free_x, m.free_y, m.mass, m.scaled_mass, s.displacement_x, s.displacement_y,
-                                       s.velocity_x, s.velocity_y, t.gradient_xx, t.gradient_xy, t.gradient_yx,
-                                       t.gradient_yy, t.dilation, t.flux_xx, t.flux_xy, t.flux_yx, t.flux_yy, zero_) +
-                                bytes_of(m.blocks) + bytes_of(m.chunks) + bytes_of(m.material) + bytes_of(m.seed_of) +
-                                bytes_of(m.storage_of) + bytes_of(m.id_of) + bytes_of(section_.seeds) +
-                                bytes_of(partial_) + (bonded ? 0 : packs);
+  const std::size_t particles =
+      sum_of(m.volume, m.share, m.moment_xx, m.moment_xy, m.moment_yy, m.sum_x, m.sum_y, m.force_x, m.force_y, m.free_x,
+             m.free_y, m.mass, m.scaled_mass, s.displacement_x, s.displacement_y, s.velocity_x, s.velocity_y,
+             t.weighted_x, t.weighted_y, t.gradient_xx, t.gradient_xy, t.gradient_yx, t.gradient_yy, t.dilation,
+             t.flux_xx, t.flux_xy, t.flux_yx, t.flux_yy, zero_) +
+      bytes_of(m.blocks) + bytes_of(m.chunks) + bytes_of(m.material) + bytes_of(m.seed_of) + bytes_of(m.storage_of) +
+      bytes_of(m.id_of) + bytes_of(section_.seeds) + bytes_of(partial_) + (bonded ? 0 : packs);
   std::vector<Feature> plan = {
       {"particles", "position, motion, volume, mass, forces, operators", true, particles, 0},
       {"neighbour lists", "who lies within the support of whom", true, bytes_of(m.neighbours) + bytes_of(m.offsets), 0},
@@ -89,7 +89,8 @@ std::vector<Feature> LatticeSimulation::plan() const {
        sum_of(relaxing_mobility_x_, relaxing_mobility_y_), 0},
       {"dynamic steps", "steps with true masses: present from the first one on", dynamic_mobility_x_.present(),
        sum_of(dynamic_mobility_x_, dynamic_mobility_y_), 0},
-      {"energy ledger", "works and dissipations, booked by dynamic steps", steps_ > 0},
+      {"energy ledger", "works and dissipations of dynamic steps, and the state of the last audit",
+       audit_.state.displacement_x.present(), audit_.state.bytes(), 0},
       {"damping", "local damping of dynamic steps", damping_ > 0},
       {"fields and monitors", "computed when read, on a copy of the state: present from the first reading on",
        probe_.displacement_x.present(), probe_.bytes(), 0},

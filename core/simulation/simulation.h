@@ -41,6 +41,10 @@ struct NamedValue {
 };
 std::span<const NamedValue> named_values();
 
+/// A dynamic step as a share of the stable one: what the power iteration may still miss of the highest frequency, and
+/// what plastic flow or growing velocities may add to it, comes off.
+inline constexpr Real kDefaultTimeStepFactor = 0.68;
+
 struct CompileOptions {
   int threads = 1;                 ///< results do not depend on it
   std::int64_t max_particles = 0;  ///< 0 = no limit

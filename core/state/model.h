@@ -59,7 +59,7 @@ struct Model {
   std::vector<LawConstants> pair_elastic;  ///< moduli only
   // scales
   Real height = 0, stress_scale = 0, force_scale = 0,
-       stiffness = 0;  ///< H, gamma H or q, sum |f_ext|, largest Young's modulus
+       stiffness = 0;  ///< H, gamma H or q, sum |f_ext|, harmonic mean of Young's modulus over the soil
   std::int64_t particles = 0, soil_particles = 0, bonds = 0;
   std::size_t bytes() const;
 };

@@ -176,7 +176,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_issue(const vbgpd_profile*, int6
  * An invalid profile gives the status of its first error; the context's error record has all errors in its text. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create(vbgpd_context*, const vbgpd_profile*, vbgpd_model** out);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_destroy(vbgpd_model*);
-/* "damping" (local damping coefficient of _step, [0, 1), default 0), "strength_reduction_factor" (default 1) */
+/* "damping" (local damping coefficient of _step, [0, 1), default 0), "strength_reduction_factor" (default 1),
+ * "time_step_factor" (time step of _step over the stable one, default 0.68; above 1 it diverges) */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* name, int64_t len, double value);
 /* the above and: time, steps, stable_time_step, time_step, unbalanced_force_ratio, max_displacement, max_velocity,
  * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds, plastic_bonds,
@@ -219,7 +220,8 @@ typedef struct vbgpd_advance_result {
   int64_t plastic_bonds;
 } vbgpd_advance_result;
 /* Explicit dynamic steps with true masses at the stable time step. r may be NULL.
- * VBGPD_E_DIVERGED: the model is back at the last good step and readable. VBGPD_CANCELLED: between two steps. */
+ * VBGPD_E_DIVERGED: a particle outran the waves, or energy came out of nothing (5 % of what the motion holds or turned over; looked
+ * at every 512 steps, not where walls are moved); the model is back at the last good step and readable. VBGPD_CANCELLED: between two steps. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_step(vbgpd_model*, int64_t steps, vbgpd_advance_result* r);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_cancel(vbgpd_model*); /* [any-thread] [signal-safe] */
 
