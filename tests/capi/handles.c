@@ -14,6 +14,7 @@ static vbgpd_advance_result advance;
 static vbgpd_progress progress;
 static vbgpd_trial trial;
 static vbgpd_level level;
+static vbgpd_view view;
 
 /* kind of handle, function, arguments with `h` as the handle */
 #define FUNCTIONS_OF_HANDLES(X)                                                                  \
@@ -21,9 +22,11 @@ static vbgpd_level level;
   X(CONTEXT, vbgpd_context_destroy, (h))                                                         \
   X(CONTEXT, vbgpd_profile_create, (h, (vbgpd_profile**)&out))                                   \
   X(CONTEXT, vbgpd_profile_create_from_flatbuffer, (h, "VBGP", 4, (vbgpd_profile**)&out))        \
+  X(CONTEXT, vbgpd_model_create_from_checkpoint, (h, "VBGC", 4, (vbgpd_model**)&out))            \
   X(CONTEXT, vbgpd_model_create, (h, good_profile, (vbgpd_model**)&out))                         \
   X(PROFILE, vbgpd_profile_error, (h, &info, text, 8, &n))                                       \
   X(PROFILE, vbgpd_profile_destroy, (h))                                                         \
+  X(PROFILE, vbgpd_profile_to_flatbuffer, (h, text, 0, &n))                                      \
   X(PROFILE, vbgpd_profile_set_exterior, (h, xy, 16, 1))                                         \
   X(PROFILE, vbgpd_profile_add_material, (h, "clay", VBGPD_STRLEN, &id))                         \
   X(PROFILE, vbgpd_profile_add_layer, (h, NULL, 16, 0, 0, &id))                                  \
@@ -49,6 +52,28 @@ static vbgpd_level level;
   X(MODEL, vbgpd_model_read_f64, (h, 0, xy, 0, 0, 1, &n))                                        \
   X(MODEL, vbgpd_model_read_i64, (h, 0, &id, 0, 0, 1, &n))                                       \
   X(MODEL, vbgpd_model_state_hash, (h, &hash))                                                   \
+  X(MODEL, vbgpd_model_advance_to, (h, 1e-6, 0, NULL, NULL, &advance))                           \
+  X(MODEL, vbgpd_model_epoch, (h, &n))                                                           \
+  X(MODEL, vbgpd_model_save_state, (h, (vbgpd_state**)&out))                                     \
+  X(MODEL, vbgpd_model_restore_state, (h, good_state))                                           \
+  X(MODEL, vbgpd_model_checkpoint, (h, text, 0, &n))                                             \
+  X(MODEL, vbgpd_model_restore_checkpoint, (h, text, 8))                                         \
+  X(MODEL, vbgpd_model_select, (h, NULL, &id, 8, 1, &n))                                         \
+  X(MODEL, vbgpd_model_read_selected_f64, (h, 0, NULL, xy, 0, 0, 1, &n))                         \
+  X(MODEL, vbgpd_model_read_selected_i64, (h, 0, NULL, &id, 0, 0, 1, &n))                        \
+  X(MODEL, vbgpd_model_sample_points, (h, 0, xy, 16, 1, xy, 0, 0, &id, 0))                       \
+  X(MODEL, vbgpd_model_sample_line, (h, 0, 0, 0, 1, 1, 1, xy, 0, 0, &id, 0))                     \
+  X(MODEL, vbgpd_model_sample_grid, (h, 0, 0, 0, 1, 1, 1, 1, xy, 0, 0, &id, 0))                  \
+  X(MODEL, vbgpd_model_ground_surface, (h, xy, 16, 1, &n))                                       \
+  X(MODEL, vbgpd_model_view_acquire, (h, 2, &view))                                              \
+  X(MODEL, vbgpd_model_view_release, (h, 1))                                                     \
+  X(MODEL, vbgpd_model_write_f64, (h, 0, NULL, xy, 0, 0, 1))                                     \
+  X(MODEL, vbgpd_model_write_points, (h, 0, xy, 16, xy, 0, 0, 1))                                \
+  X(MODEL, vbgpd_model_write_grid, (h, 0, 0, 0, 1, 1, 1, 1, xy, 0))                              \
+  X(MODEL, vbgpd_model_set_load, (h, 0, 0, 0))                                                   \
+  X(MODEL, vbgpd_model_set_boundary_velocity, (h, 0, 0, 0))                                      \
+  X(MODEL, vbgpd_model_boundary_reaction, (h, 0, &value, &value))                                \
+  X(STATE, vbgpd_state_destroy, (h))                                                             \
   X(JOB, vbgpd_job_error, (h, &info, text, 8, &n))                                               \
   X(JOB, vbgpd_job_destroy, (h))                                                                 \
   X(JOB, vbgpd_job_set_f64, (h, "levels", 6, 1.0))                                               \
@@ -75,6 +100,7 @@ static vbgpd_level level;
   X(vbgpd_field_find, (vbgpd_field_find("no such field", VBGPD_STRLEN, &field) == VBGPD_E_UNKNOWN_NAME))
 
 static vbgpd_profile* good_profile;
+static vbgpd_state* good_state;
 
 #define DEFINE_CALL(kind, name, arguments) \
   static vbgpd_status call_##name(void* h) { return name arguments; }
@@ -110,6 +136,7 @@ static void null_handles(void) {
   CHECK_OK(vbgpd_profile_destroy(NULL));
   CHECK_OK(vbgpd_model_destroy(NULL));
   CHECK_OK(vbgpd_job_destroy(NULL));
+  CHECK_OK(vbgpd_state_destroy(NULL));
 }
 
 static void foreign_handles(void* live) {
@@ -143,7 +170,10 @@ static void stale_handles(vbgpd_context* context, vbgpd_model* model) {
   vbgpd_profile* old_profile = make_profile(context, 1);
   vbgpd_model* old_model = make_model(context, 2.5);
   vbgpd_job* old_job = NULL;
+  vbgpd_state* old_state = NULL;
   int i;
+  CHECK_OK(vbgpd_model_save_state(model, &old_state));
+  CHECK_OK(vbgpd_state_destroy(old_state));
   CHECK_OK(vbgpd_job_create_equilibrium(model, &old_job));
   CHECK_OK(vbgpd_context_destroy(old_context));
   CHECK_OK(vbgpd_profile_destroy(old_profile));
@@ -159,6 +189,7 @@ static void stale_handles(vbgpd_context* context, vbgpd_model* model) {
       refuse_everywhere(0, old_profile, "stale profile");
       refuse_everywhere(0, old_model, "stale model");
       refuse_everywhere(0, old_job, "stale job");
+      refuse_everywhere(0, old_state, "stale state");
     }
     CHECK_OK(vbgpd_profile_destroy(next_profile));
     CHECK_OK(vbgpd_context_destroy(next));
@@ -181,17 +212,20 @@ int main(void) {
   vbgpd_job* job = NULL;
   good_profile = make_profile(context, 2.5);
   CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
+  CHECK_OK(vbgpd_model_save_state(model, &good_state));
   null_handles();
   foreign_handles(context);
   refuse_everywhere(VBGPD_OBJECT_CONTEXT, context, "context");
   refuse_everywhere(VBGPD_OBJECT_PROFILE, good_profile, "profile");
   refuse_everywhere(VBGPD_OBJECT_MODEL, model, "model");
   refuse_everywhere(VBGPD_OBJECT_JOB, job, "job");
+  refuse_everywhere(VBGPD_OBJECT_STATE, good_state, "state");
   stale_handles(context, model);
   profiles_that_are_none(context, model);
   functions_without_handles();
   CHECK(out == NULL);
   CHECK_OK(vbgpd_profile_destroy(good_profile));
+  CHECK_OK(vbgpd_state_destroy(good_state));
   CHECK_OK(vbgpd_job_destroy(job));
   CHECK_OK(vbgpd_model_destroy(model));
   CHECK_OK(vbgpd_context_destroy(context));
