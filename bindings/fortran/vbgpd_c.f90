@@ -65,6 +65,10 @@ module vbgpd_c
   integer(c_int32_t), parameter :: VBGPD_SELECT_LAYER = 5
   integer(c_int32_t), parameter :: VBGPD_SELECT_BOUNDARY = 6
   integer(c_int32_t), parameter :: VBGPD_SELECT_SOIL = 7
+  integer(c_int32_t), parameter :: VBGPD_EVENT_FIRST_YIELD = 1
+  integer(c_int32_t), parameter :: VBGPD_EVENT_AT_REST = 2
+  integer(c_int32_t), parameter :: VBGPD_EVENT_MECHANISM = 3
+  integer(c_int32_t), parameter :: VBGPD_EVENT_DIVERGED = 4
 
   type, bind(C) :: vbgpd_error_info
     integer(c_int32_t) :: struct_size = 56
@@ -199,6 +203,19 @@ module vbgpd_c
     integer(c_int64_t) :: epoch = 0
     integer(c_int64_t) :: lease = 0
   end type vbgpd_view
+
+  type, bind(C) :: vbgpd_event
+    integer(c_int32_t) :: struct_size = 72
+    integer(c_int32_t) :: kind = 0
+    integer(c_int64_t) :: sequence = 0
+    integer(c_int64_t) :: step = 0
+    real(c_double) :: time = 0
+    integer(c_int64_t) :: id_a = 0
+    integer(c_int64_t) :: id_b = 0
+    real(c_double) :: x = 0
+    real(c_double) :: y = 0
+    real(c_double) :: value = 0
+  end type vbgpd_event
 
   abstract interface
     function vbgpd_progress_fn(user, progress) result(outcome) bind(C)
@@ -863,6 +880,19 @@ module vbgpd_c
       integer(c_int64_t), intent(inout), optional :: hash
       integer(c_int32_t) :: outcome
     end function vbgpd_model_state_hash
+
+    ! ---- events
+    function vbgpd_model_events_read(model, after, dst, stride, cap, n, dropped) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: after
+      type(c_ptr), value :: dst
+      integer(c_int64_t), value :: stride
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: n
+      integer(c_int64_t), intent(inout), optional :: dropped
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_events_read
 
     ! ---- setting from outside: stays until set again
     function vbgpd_model_write_f64(model, field, selection, src, stride_item, stride_component, &

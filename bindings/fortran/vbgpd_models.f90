@@ -25,6 +25,7 @@ module vbgpd_models
     procedure :: checkpoint
     procedure :: create_from_checkpoint
     procedure :: restore_checkpoint
+    procedure :: events
     procedure :: select
     procedure, private :: selected_f64_column, selected_f64_rows, selected_i64_column
     generic :: read_selected => selected_f64_column, selected_f64_rows, selected_i64_column
@@ -106,6 +107,25 @@ contains
     call conclude(vbgpd_model_restore_checkpoint(self%handle, c_loc(bytes), size(bytes, kind=c_int64_t)), &
                   vbgpd_model_error, self%handle, stat, errmsg)
   end subroutine restore_checkpoint
+
+  ! What happened with a sequence above `after`, oldest first.
+  subroutine events(self, after, list, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int64_t), intent(in) :: after
+    type(vbgpd_event), allocatable, target, intent(inout) :: list(:)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    integer(c_int64_t) :: n
+    integer(c_int32_t) :: status
+    n = 0
+    status = vbgpd_model_events_read(self%handle, after, c_null_ptr, 0_c_int64_t, 0_c_int64_t, n)
+    if (status >= 0) then
+      if (allocated(list)) deallocate (list)
+      allocate (list(n))
+      if (n > 0) status = vbgpd_model_events_read(self%handle, after, c_loc(list), int(list(1)%struct_size, c_int64_t), n, n)
+    end if
+    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine events
 
   ! The ids of the selected particles.
   subroutine select(self, where, ids, stat, errmsg)

@@ -37,6 +37,10 @@ Status run_slice(JobObject& object, double wall_seconds, Listener& listener) {
   return status;
 }
 
+bool found_a_mechanism(const Job& job) {
+  return job.result().status == "UNSTABLE" || !job.result().slip_surface.empty();
+}
+
 [[noreturn]] void report_divergence(const Job& job) {
   Issue issue;
   issue.status = Status::kDiverged;
@@ -150,9 +154,12 @@ vbgpd_status vbgpd_job_run(vbgpd_job* job, double wall_seconds, vbgpd_progress_f
     const Inside inside(object.engine->gate);
     require(inside, 1, "model of this job");
     if (!object.job->finished()) object.begin();
+    const bool ended_before = object.job->finished();
     const JobEnds ends(object);
     Listener listener(fn, user, callers);
     const Status status = run_slice(object, wall_seconds, listener);
+    if (object.job->finished() && !ended_before && found_a_mechanism(*object.job))
+      object.engine->events.mechanism(*object.engine->simulation);
     fill(p, progress_of(object.job->progress()));
     if (listener.threw()) throw ArgumentError(3, Status::kInternal, "The progress function threw an exception.");
     if (status == Status::kDiverged) report_divergence(*object.job);

@@ -10,8 +10,7 @@
 namespace vbgpd::capi {
 namespace {
 
-vbgpd_advance_result result_of(const Simulation& simulation, const StepReport& report) {
-  const Monitors monitors = simulation.monitors();
+vbgpd_advance_result result_of(const Simulation& simulation, const StepReport& report, const Monitors& monitors) {
   vbgpd_advance_result result{};
   result.struct_size = sizeof result;
   result.steps = report.steps;
@@ -38,7 +37,10 @@ vbgpd_advance_result result_of(const Simulation& simulation, const StepReport& r
 Status conclude(ModelObject& object, const StepReport& report, vbgpd_advance_result* r) {
   // A request is used up by the call that obeys it; one that came too late stops the next call.
   if (report.status == Status::kCancelled) object.cancel.store(false, std::memory_order_relaxed);
-  const vbgpd_advance_result result = result_of(*object.engine->simulation, report);
+  Engine& engine = *object.engine;
+  const Monitors monitors = engine.simulation->monitors();
+  engine.events.look(*engine.simulation, monitors, report.status == Status::kDiverged);
+  const vbgpd_advance_result result = result_of(*engine.simulation, report, monitors);
   fill(r, result);
   if (report.status == Status::kDiverged) report_divergence(result);
   return report.status;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/job.h"
+#include "events.h"
 #include "handles.h"
 #include "scene/scene_def.h"
 #include "simulation/simulation.h"
@@ -34,6 +35,7 @@ struct Engine {
   Gate gate;
   std::vector<std::int64_t> leases;  ///< of views that are held
   std::int64_t last_lease = 0;
+  EventLog events;
   std::atomic<const void*> open_job{nullptr};  ///< begun and not finished; a job may end without the gate
 
   /// The simulation for a call that changes it; throws while views are held or a job is under way.

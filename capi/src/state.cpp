@@ -50,6 +50,7 @@ vbgpd_status vbgpd_model_restore_state(vbgpd_model* model, const vbgpd_state* st
     if (from->of.lock() != object.engine)
       throw ArgumentError(2, Status::kArgument, "The state was saved from another model.");
     object.engine->to_change().restore(*from->saved);
+    object.engine->events.forget(*object.engine->simulation);
     return Status::kOk;
   });
 }
@@ -88,6 +89,7 @@ vbgpd_status vbgpd_model_create_from_checkpoint(vbgpd_context* context, const vo
       throw ArgumentError(2, issue);
     }
     model->engine->simulation->restore_image(checkpoint.state);
+    model->engine->events.forget(*model->engine->simulation);
     hand_out(std::move(model), out);
     return Status::kOk;
   });
@@ -97,6 +99,7 @@ vbgpd_status vbgpd_model_restore_checkpoint(vbgpd_model* model, const void* byte
   return with(model, [&](ModelObject& object) {
     Simulation& simulation = object.engine->to_change();
     simulation.restore_image(checkpoint_from_bytes(bytes_in(bytes, len, 2)).state);
+    object.engine->events.forget(simulation);
     return Status::kOk;
   });
 }

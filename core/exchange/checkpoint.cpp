@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "checkpoint_generated.h"
 #include "exchange/limits.h"
@@ -48,10 +49,17 @@ double finite(double v, const std::string& what) {
   return v;
 }
 
+/// The verifier looks at bounds, not at where the elements of a vector fall.
+void require_aligned(const void* elements) {
+  if (reinterpret_cast<std::uintptr_t>(elements) % alignof(double) != 0) refuse("has an array off its place");
+}
+
 StateImage state_from(const schema::Checkpoint& from) {
   StateImage state;
   state.particles = from.particles(), state.bonds = from.bonds(), state.hash = from.hash();
-  if (state.particles <= 0 || state.bonds < 0) refuse("has an impossible number of particles or bonds");
+  constexpr std::int64_t kMostParticles = std::numeric_limits<std::int32_t>::max();
+  if (state.particles <= 0 || state.particles > kMostParticles || state.bonds < 0 || state.bonds > 100 * kMostParticles)
+    refuse("has an impossible number of particles or bonds");
   for (const auto* n : *from.numbers()) {
     std::string name = name_of(n->name());
     const double value = finite(n->value(), name);
@@ -61,6 +69,7 @@ StateImage state_from(const schema::Checkpoint& from) {
     StateImage::Rows rows{name_of(r->name()), r->components(), {}};
     if (rows.components < 1 || rows.components > 8 || r->values()->size() % static_cast<unsigned>(rows.components) != 0)
       refuse("has " + rows.name + " in rows of impossible length");
+    require_aligned(r->values()->Data());
     rows.values.assign(r->values()->begin(), r->values()->end());
     for (const double v : rows.values) finite(v, rows.name);
     state.rows.push_back(std::move(rows));
@@ -72,6 +81,7 @@ StateImage state_from(const schema::Checkpoint& from) {
   if (!whole) refuse("lacks the displacements of its " + std::to_string(state.particles) + " particles");
   if (static_cast<std::int64_t>(from.plastic()->size()) > std::max(state.bonds, state.particles))
     refuse("has more plastic bonds than bonds");
+  require_aligned(from.plastic()->Data());
   for (const schema::PlasticBond* p : *from.plastic()) {
     if (p->a() < 0 || p->b() < 0 || p->a() >= state.particles || p->b() >= state.particles)
       refuse("has a bond between particles that are none");

@@ -401,6 +401,17 @@ static void step_outside(vbgpd_model* model) {
   }
 }
 
+static void step_events(vbgpd_model* model) {
+  vbgpd_event e[8] = {{.struct_size = sizeof e[0]}};
+  int64_t n = -1, i;
+  vbgpd_status s = vbgpd_model_events_read(model, 0, e, sizeof e[0], 8, &n, NULL);
+  printf("   events %d", s);
+  for (i = 0; i < n; ++i)
+    printf(" %d %" PRId64 " %" PRId64 " %s %" PRId64 " %" PRId64 " %s %s %s", e[i].kind, e[i].sequence, e[i].step,
+           hex(e[i].time), e[i].id_a, e[i].id_b, hex(e[i].x), hex(e[i].y), hex(e[i].value));
+  printf("\n");
+}
+
 static void step_checkpoint(vbgpd_context* context, vbgpd_profile* profile, vbgpd_model* model) {
   vbgpd_model* other = NULL;
   int64_t size = -1, scene = -1;
@@ -434,6 +445,7 @@ static void step_coupling(vbgpd_context* context, vbgpd_profile* profile) {
   step_selections(model);
   step_samples(model);
   step_outside(model);
+  step_events(model);
   step_checkpoint(context, profile, model);
   vbgpd_model_destroy(model);
 }

@@ -557,6 +557,21 @@ contains
     end do
   end subroutine step_outside
 
+  subroutine step_events(model)
+    type(vbgpd_model), intent(in) :: model
+    type(vbgpd_event), allocatable :: list(:)
+    integer(c_int32_t) :: s
+    integer :: i
+    call model%events(0_c_int64_t, list, s)
+    call begin("   events " // num32(s))
+    do i = 1, size(list)
+      call begin(" " // num32(list(i)%kind) // " " // num(list(i)%sequence) // " " // num(list(i)%step) // &
+                 hexes([list(i)%time]) // " " // num(list(i)%id_a) // " " // num(list(i)%id_b) // &
+                 hexes([list(i)%x, list(i)%y, list(i)%value]))
+    end do
+    call say("")
+  end subroutine step_events
+
   subroutine step_checkpoint(context, profile, model)
     type(vbgpd_context), intent(in) :: context
     type(vbgpd_profile), intent(in) :: profile
@@ -591,6 +606,7 @@ contains
     call step_selections(model)
     call step_samples(model)
     call step_outside(model)
+    call step_events(model)
     call step_checkpoint(context, profile, model)
   end subroutine step_coupling
 

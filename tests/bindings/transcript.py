@@ -230,6 +230,11 @@ def outside(model):
         print("   reaction 0", hexes(*model.boundary_reaction(boundary)))
 
 
+def events(model):
+    print("   events 0", *(f"{e.kind} {e.sequence} {e.step} {hex_of(e.time)} {e.id_a} {e.id_b} "
+                           f"{hexes(e.x, e.y, e.value)}" for e in model.events()))
+
+
 def checkpoint(context, profile, model):
     data = model.checkpoint()
     other = vbgpd.Model.from_checkpoint(context, data)
@@ -249,6 +254,7 @@ def coupling(context, profile):
         selections(model)
         samples(model)
         outside(model)
+        events(model)
         checkpoint(context, profile, model)
 
 

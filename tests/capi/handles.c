@@ -1,5 +1,8 @@
-/* NULL, stale, foreign and wrong-kind handles for every function; check_names.cmake sees to it that none is forgotten.
+/* NULL, stale, foreign and wrong-kind handles, and overlapping use, for every function; check_names.cmake sees to it
+ * that none is forgotten.
  */
+#include <pthread.h>
+
 #include "slope.h"
 
 static double xy[2];
@@ -15,6 +18,7 @@ static vbgpd_progress progress;
 static vbgpd_trial trial;
 static vbgpd_level level;
 static vbgpd_view view;
+static vbgpd_event event;
 
 /* kind of handle, function, arguments with `h` as the handle */
 #define FUNCTIONS_OF_HANDLES(X)                                                                  \
@@ -53,6 +57,7 @@ static vbgpd_view view;
   X(MODEL, vbgpd_model_read_i64, (h, 0, &id, 0, 0, 1, &n))                                       \
   X(MODEL, vbgpd_model_state_hash, (h, &hash))                                                   \
   X(MODEL, vbgpd_model_advance_to, (h, 1e-6, 0, NULL, NULL, &advance))                           \
+  X(MODEL, vbgpd_model_events_read, (h, 0, &event, sizeof event, 1, &n, &n))                     \
   X(MODEL, vbgpd_model_epoch, (h, &n))                                                           \
   X(MODEL, vbgpd_model_save_state, (h, (vbgpd_state**)&out))                                     \
   X(MODEL, vbgpd_model_restore_state, (h, good_state))                                           \
@@ -196,6 +201,59 @@ static void stale_handles(vbgpd_context* context, vbgpd_model* model) {
   }
 }
 
+/* Whoever is inside an object is alone: its own callback is told so (R5), and so is every other thread (R4). */
+typedef struct {
+  int32_t kind;
+  void* handle;
+  vbgpd_status expected;
+  int calls;
+} visit;
+
+static int may_overlap(const entry* e) { return strstr(e->name, "_cancel") != NULL; }
+
+static void* refused_everywhere(void* user) {
+  const visit* v = (const visit*)user;
+  int i;
+  for (i = 0; i < functions; ++i) {
+    vbgpd_status status;
+    if (table[i].kind != v->kind || may_overlap(&table[i])) continue;
+    status = table[i].call(v->handle);
+    if (status != v->expected) {
+      fprintf(stderr, "%s says %s, not %s, inside a call\n", table[i].name, vbgpd_status_name(status),
+              vbgpd_status_name(v->expected));
+      exit(1);
+    }
+  }
+  return NULL;
+}
+
+static int32_t VBGPD_CALL let_in_nobody(void* user, const vbgpd_progress* p) {
+  visit* v = (visit*)user;
+  pthread_t other;
+  (void)p;
+  ++v->calls;
+  v->expected = VBGPD_E_REENTRANT;
+  refused_everywhere(v);
+  v->expected = VBGPD_E_BUSY;
+  CHECK(pthread_create(&other, NULL, refused_everywhere, v) == 0);
+  CHECK(pthread_join(other, NULL) == 0);
+  return 1;
+}
+
+static void overlapping_use(vbgpd_context* context) {
+  vbgpd_model* model = make_model(context, 0.5);
+  vbgpd_job* job = NULL;
+  visit of_model = {VBGPD_OBJECT_MODEL, NULL, 0, 0}, of_job = {VBGPD_OBJECT_JOB, NULL, 0, 0};
+  of_model.handle = model;
+  CHECK_STATUS(VBGPD_CANCELLED, vbgpd_model_advance_to(model, 1e6, 0, let_in_nobody, &of_model, NULL));
+  CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
+  of_job.handle = job;
+  CHECK_STATUS(VBGPD_CANCELLED, vbgpd_job_run(job, 0, let_in_nobody, &of_job, NULL));
+  CHECK(of_model.calls == 1 && of_job.calls == 1);
+  CHECK_OK(vbgpd_job_destroy(job));
+  CHECK_OK(vbgpd_model_destroy(model));
+}
+
 static void profiles_that_are_none(vbgpd_context* context, vbgpd_model* model) {
   vbgpd_model* made = NULL;
   CHECK_STATUS(VBGPD_E_HANDLE, vbgpd_model_create(context, NULL, &made));
@@ -222,6 +280,7 @@ int main(void) {
   refuse_everywhere(VBGPD_OBJECT_STATE, good_state, "state");
   stale_handles(context, model);
   profiles_that_are_none(context, model);
+  overlapping_use(context);
   functions_without_handles();
   CHECK(out == NULL);
   CHECK_OK(vbgpd_profile_destroy(good_profile));

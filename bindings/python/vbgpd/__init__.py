@@ -21,11 +21,11 @@ import numpy
 
 from . import _raw
 from ._arrays import Selection, View, values_in
-from ._engine import (Boundary, Error, FieldInfo, Issue, Kind, Library, Location, Property, Status, Verdict, address,
+from ._engine import (Boundary, Error, Event, FieldInfo, Issue, Kind, Library, Location, Property, Status, Verdict, address,
                       bytes_from, field, fields, points_from, points_in, properties, raise_failure, status_name,
                       text_from, version, version_number)
 
-__all__ = ["Boundary", "Context", "Error", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "Model",
+__all__ = ["Boundary", "Context", "Error", "Event", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "Model",
            "Profile", "Property", "Selection", "State", "Status", "Verdict", "View", "field", "fields", "properties",
            "status_name", "version", "version_number"]
 
@@ -279,6 +279,16 @@ class Model(_Object):
         n = ctypes.c_int64()
         self._call("item_count", location, ctypes.byref(n))
         return n.value
+
+    def events(self, after=0):
+        """What happened, oldest first: records with the members of vbgpd_event and a sequence above `after`."""
+        n = ctypes.c_int64()
+        self._call("events_read", after, None, 0, 0, ctypes.byref(n), None)
+        records = (_raw.vbgpd_event * max(n.value, 1))()
+        records[0].struct_size = size = ctypes.sizeof(_raw.vbgpd_event)
+        if n.value:
+            self._call("events_read", after, records, size, n.value, ctypes.byref(n), None)
+        return list(records[:n.value])
 
     def select(self, where):
         """The ids of the particles of a Selection."""

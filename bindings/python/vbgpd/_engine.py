@@ -24,6 +24,8 @@ Boundary = enum.IntEnum("Boundary", _members("VBGPD_BOUNDARY_"))
 Boundary.__doc__ = "How a held part of the outline is held."
 Verdict = enum.IntEnum("Verdict", _members("VBGPD_VERDICT_"))
 Verdict.__doc__ = "What a trial showed."
+Event = enum.IntEnum("Event", _members("VBGPD_EVENT_"))
+Event.__doc__ = "What happened to a model."
 Location = enum.IntEnum("Location", _members("VBGPD_AT_"))
 Location.__doc__ = "Where a field lives."
 

@@ -60,6 +60,10 @@ VBGPD_SELECT_MATERIAL = 4
 VBGPD_SELECT_LAYER = 5
 VBGPD_SELECT_BOUNDARY = 6
 VBGPD_SELECT_SOIL = 7
+VBGPD_EVENT_FIRST_YIELD = 1
+VBGPD_EVENT_AT_REST = 2
+VBGPD_EVENT_MECHANISM = 3
+VBGPD_EVENT_DIVERGED = 4
 
 
 # ---- handles: a type each, so that ctypes refuses a profile where a model is wanted
@@ -243,6 +247,21 @@ class vbgpd_view(Record):
         ("lease", c_int64),
     ]
 
+
+class vbgpd_event(Record):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("sequence", c_int64),
+        ("step", c_int64),
+        ("time", c_double),
+        ("id_a", c_int64),
+        ("id_b", c_int64),
+        ("x", c_double),
+        ("y", c_double),
+        ("value", c_double),
+    ]
+
 # ---- callback
 vbgpd_progress_fn = ctypes.CFUNCTYPE(c_int32, c_void_p, POINTER(vbgpd_progress))
 
@@ -350,6 +369,9 @@ FUNCTIONS = {
     "vbgpd_model_view_acquire": (c_int32, (vbgpd_model, c_int32, POINTER(vbgpd_view))),
     "vbgpd_model_view_release": (c_int32, (vbgpd_model, c_int64)),
     "vbgpd_model_state_hash": (c_int32, (vbgpd_model, POINTER(c_uint64))),
+    # events
+    "vbgpd_model_events_read": (
+        c_int32, (vbgpd_model, c_int64, POINTER(vbgpd_event), c_int64, c_int64, POINTER(c_int64), POINTER(c_int64))),
     # setting from outside: stays until set again
     "vbgpd_model_write_f64": (
         c_int32, (vbgpd_model, c_int32, POINTER(vbgpd_selection), POINTER(c_double), c_int64, c_int64, c_int64)),

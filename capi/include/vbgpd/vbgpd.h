@@ -386,6 +386,26 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_view_release(vbgpd_model*, int64_t
 /* 64-bit hash of everything that changes in the model: same run = same hash, at any thread count. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_state_hash(const vbgpd_model*, uint64_t* hash);
 
+/* ---- events ------------------------------------------------------------------------------------------------ */
+/* What happened, noticed at the end of the call that made it happen; the last 256 are kept, to be polled. */
+#define VBGPD_EVENT_FIRST_YIELD 1 /* the first bonds turned plastic: id_a, id_b and x, y of the one that did most, value its strain */
+#define VBGPD_EVENT_AT_REST 2     /* dynamic steps came to rest: value = unbalanced force ratio, below 1e-5 */
+#define VBGPD_EVENT_MECHANISM 3   /* a job found the slope failing: value = strength reduction factor of the model */
+#define VBGPD_EVENT_DIVERGED 4    /* the model is back at the last good step */
+typedef struct vbgpd_event {
+  uint32_t struct_size;
+  int32_t kind;         /* VBGPD_EVENT_* */
+  int64_t sequence;     /* counts from 1 */
+  int64_t step;         /* dynamic steps done when it was noticed */
+  double time;          /* s */
+  int64_t id_a, id_b;   /* particle ids, -1 = none */
+  double x, y, value;   /* NaN = none */
+} vbgpd_event;
+/* Events with a sequence above after (0 = all), oldest first, stride bytes apart; dst->struct_size holds for all of them.
+ * cap counts events; *n gets how many were given (cap 0: how many there are), *dropped how many are kept no longer. Both
+ * may be NULL. Reading takes nothing away. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_events_read(vbgpd_model*, int64_t after, vbgpd_event* dst, int64_t stride, int64_t cap, int64_t* n, int64_t* dropped);
+
 /* ---- setting from outside: stays until set again ------------------------------------------------------------ */
 /* Between any two steps. Writable fields (field_info.writable):
  * pore_pressure (Pa, compression positive, may be negative): from then on bonds carry effective stress; total stress is
