@@ -25,6 +25,7 @@ module vbgpd_c
   integer(c_int32_t), parameter :: VBGPD_E_MEMORY = -3
   integer(c_int32_t), parameter :: VBGPD_E_LIMIT = -4
   integer(c_int32_t), parameter :: VBGPD_E_BUSY = -5
+  integer(c_int32_t), parameter :: VBGPD_E_LEASED = -6
   integer(c_int32_t), parameter :: VBGPD_E_REENTRANT = -7
   integer(c_int32_t), parameter :: VBGPD_E_STATE = -8
   integer(c_int32_t), parameter :: VBGPD_E_GEOMETRY = -9
@@ -44,6 +45,7 @@ module vbgpd_c
   integer(c_int32_t), parameter :: VBGPD_OBJECT_BOUNDARY = 6
   integer(c_int32_t), parameter :: VBGPD_OBJECT_MODEL = 7
   integer(c_int32_t), parameter :: VBGPD_OBJECT_JOB = 8
+  integer(c_int32_t), parameter :: VBGPD_OBJECT_STATE = 9
   integer(c_int32_t), parameter :: VBGPD_BOUNDARY_FREE = 0
   integer(c_int32_t), parameter :: VBGPD_BOUNDARY_FIXED = 1
   integer(c_int32_t), parameter :: VBGPD_BOUNDARY_ROLLER = 2
@@ -55,6 +57,18 @@ module vbgpd_c
   integer(c_int32_t), parameter :: VBGPD_AT_BOND = 2
   integer(c_int32_t), parameter :: VBGPD_TYPE_F64 = 1
   integer(c_int32_t), parameter :: VBGPD_TYPE_I64 = 2
+  integer(c_int32_t), parameter :: VBGPD_SELECT_ALL = 0
+  integer(c_int32_t), parameter :: VBGPD_SELECT_IDS = 1
+  integer(c_int32_t), parameter :: VBGPD_SELECT_BOX = 2
+  integer(c_int32_t), parameter :: VBGPD_SELECT_POLYGON = 3
+  integer(c_int32_t), parameter :: VBGPD_SELECT_MATERIAL = 4
+  integer(c_int32_t), parameter :: VBGPD_SELECT_LAYER = 5
+  integer(c_int32_t), parameter :: VBGPD_SELECT_BOUNDARY = 6
+  integer(c_int32_t), parameter :: VBGPD_SELECT_SOIL = 7
+  integer(c_int32_t), parameter :: VBGPD_EVENT_FIRST_YIELD = 1
+  integer(c_int32_t), parameter :: VBGPD_EVENT_AT_REST = 2
+  integer(c_int32_t), parameter :: VBGPD_EVENT_MECHANISM = 3
+  integer(c_int32_t), parameter :: VBGPD_EVENT_DIVERGED = 4
 
   type, bind(C) :: vbgpd_error_info
     integer(c_int32_t) :: struct_size = 56
@@ -161,14 +175,57 @@ module vbgpd_c
   end type vbgpd_level
 
   type, bind(C) :: vbgpd_field_info
-    integer(c_int32_t) :: struct_size = 40
+    integer(c_int32_t) :: struct_size = 48
     integer(c_int32_t) :: type = 0
     integer(c_int32_t) :: location = 0
     integer(c_int32_t) :: components = 0
     type(c_ptr) :: name = c_null_ptr
     type(c_ptr) :: unit = c_null_ptr
     type(c_ptr) :: doc = c_null_ptr
+    integer(c_int32_t) :: writable = 0
+    integer(c_int32_t) :: reserved = 0
   end type vbgpd_field_info
+
+  type, bind(C) :: vbgpd_selection
+    integer(c_int32_t) :: struct_size = 96
+    integer(c_int32_t) :: kind = 0
+    integer(c_int64_t) :: object_id = 0
+    real(c_double) :: xmin = 0
+    real(c_double) :: ymin = 0
+    real(c_double) :: xmax = 0
+    real(c_double) :: ymax = 0
+    type(c_ptr) :: ids = c_null_ptr
+    integer(c_int64_t) :: ids_stride = 0
+    integer(c_int64_t) :: n_ids = 0
+    type(c_ptr) :: xy = c_null_ptr
+    integer(c_int64_t) :: xy_stride = 0
+    integer(c_int64_t) :: n_points = 0
+  end type vbgpd_selection
+
+  type, bind(C) :: vbgpd_view
+    integer(c_int32_t) :: struct_size = 64
+    integer(c_int32_t) :: type = 0
+    type(c_ptr) :: data = c_null_ptr
+    integer(c_int64_t) :: count = 0
+    integer(c_int64_t) :: components = 0
+    integer(c_int64_t) :: stride_item = 0
+    integer(c_int64_t) :: stride_component = 0
+    integer(c_int64_t) :: epoch = 0
+    integer(c_int64_t) :: lease = 0
+  end type vbgpd_view
+
+  type, bind(C) :: vbgpd_event
+    integer(c_int32_t) :: struct_size = 72
+    integer(c_int32_t) :: kind = 0
+    integer(c_int64_t) :: sequence = 0
+    integer(c_int64_t) :: step = 0
+    real(c_double) :: time = 0
+    integer(c_int64_t) :: id_a = 0
+    integer(c_int64_t) :: id_b = 0
+    real(c_double) :: x = 0
+    real(c_double) :: y = 0
+    real(c_double) :: value = 0
+  end type vbgpd_event
 
   abstract interface
     function vbgpd_progress_fn(user, progress) result(outcome) bind(C)
@@ -297,6 +354,15 @@ module vbgpd_c
       integer(c_int32_t) :: outcome
     end function vbgpd_profile_create_from_flatbuffer
 
+    function vbgpd_profile_to_flatbuffer(profile, buf, cap, needed) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: profile
+      type(c_ptr), value :: buf
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: outcome
+    end function vbgpd_profile_to_flatbuffer
+
     function vbgpd_profile_destroy(profile) result(outcome) bind(C)
       import
       type(c_ptr), value :: profile
@@ -332,8 +398,8 @@ module vbgpd_c
       integer(c_int32_t) :: outcome
     end function vbgpd_profile_add_layer
 
-    function vbgpd_profile_add_boundary(profile, side, side_len, xy, stride, n, kind, boundary_id) &
-        result(outcome) bind(C)
+    function vbgpd_profile_add_boundary(profile, side, side_len, xy, stride, n, kind, &
+                                        boundary_id) result(outcome) bind(C)
       import
       type(c_ptr), value :: profile
       character(kind=c_char), intent(in), optional :: side(*)
@@ -498,6 +564,71 @@ module vbgpd_c
       integer(c_int32_t) :: outcome
     end function vbgpd_model_cancel
 
+    function vbgpd_model_advance_to(model, time, wall_seconds, fn, user, r) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      real(c_double), value :: time
+      real(c_double), value :: wall_seconds
+      type(c_funptr), value :: fn
+      type(c_ptr), value :: user
+      type(vbgpd_advance_result), intent(inout), optional :: r
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_advance_to
+
+    function vbgpd_model_epoch(model, epoch) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout), optional :: epoch
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_epoch
+
+    ! ---- save and restore
+    function vbgpd_model_save_state(model, inout) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      type(c_ptr), intent(inout) :: inout
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_save_state
+
+    function vbgpd_model_restore_state(model, state) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      type(c_ptr), value :: state
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_restore_state
+
+    function vbgpd_state_destroy(state) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: state
+      integer(c_int32_t) :: outcome
+    end function vbgpd_state_destroy
+
+    function vbgpd_model_checkpoint(model, buf, cap, needed) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      type(c_ptr), value :: buf
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_checkpoint
+
+    function vbgpd_model_create_from_checkpoint(context, bytes, len, out) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: context
+      type(c_ptr), value :: bytes
+      integer(c_int64_t), value :: len
+      type(c_ptr), intent(inout) :: out
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_create_from_checkpoint
+
+    function vbgpd_model_restore_checkpoint(model, bytes, len) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      type(c_ptr), value :: bytes
+      integer(c_int64_t), value :: len
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_restore_checkpoint
+
     ! ---- jobs: long analyses in slices
     function vbgpd_job_create_equilibrium(model, out) result(outcome) bind(C)
       import
@@ -644,11 +775,211 @@ module vbgpd_c
       integer(c_int32_t) :: outcome
     end function vbgpd_model_read_i64
 
+    function vbgpd_model_select(model, selection, ids, stride, cap, n) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      type(vbgpd_selection), intent(in), optional :: selection
+      type(c_ptr), value :: ids
+      integer(c_int64_t), value :: stride
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: n
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_select
+
+    function vbgpd_model_read_selected_f64(model, field, selection, dst, stride_item, stride_component, cap, &
+                                           n) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: field
+      type(vbgpd_selection), intent(in), optional :: selection
+      type(c_ptr), value :: dst
+      integer(c_int64_t), value :: stride_item
+      integer(c_int64_t), value :: stride_component
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: n
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_read_selected_f64
+
+    function vbgpd_model_read_selected_i64(model, field, selection, dst, stride_item, stride_component, cap, &
+                                           n) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: field
+      type(vbgpd_selection), intent(in), optional :: selection
+      type(c_ptr), value :: dst
+      integer(c_int64_t), value :: stride_item
+      integer(c_int64_t), value :: stride_component
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: n
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_read_selected_i64
+
+    function vbgpd_model_sample_points(model, field, xy, stride_xy, n, dst, stride_item, stride_component, inside, &
+                                       stride_inside) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: field
+      type(c_ptr), value :: xy
+      integer(c_int64_t), value :: stride_xy
+      integer(c_int64_t), value :: n
+      type(c_ptr), value :: dst
+      integer(c_int64_t), value :: stride_item
+      integer(c_int64_t), value :: stride_component
+      type(c_ptr), value :: inside
+      integer(c_int64_t), value :: stride_inside
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_sample_points
+
+    function vbgpd_model_sample_line(model, field, x0, y0, x1, y1, n, dst, stride_item, stride_component, inside, &
+                                     stride_inside) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: field
+      real(c_double), value :: x0
+      real(c_double), value :: y0
+      real(c_double), value :: x1
+      real(c_double), value :: y1
+      integer(c_int64_t), value :: n
+      type(c_ptr), value :: dst
+      integer(c_int64_t), value :: stride_item
+      integer(c_int64_t), value :: stride_component
+      type(c_ptr), value :: inside
+      integer(c_int64_t), value :: stride_inside
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_sample_line
+
+    function vbgpd_model_sample_grid(model, field, x0, y0, dx, dy, nx, ny, dst, stride_item, stride_component, &
+                                     inside, stride_inside) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: field
+      real(c_double), value :: x0
+      real(c_double), value :: y0
+      real(c_double), value :: dx
+      real(c_double), value :: dy
+      integer(c_int64_t), value :: nx
+      integer(c_int64_t), value :: ny
+      type(c_ptr), value :: dst
+      integer(c_int64_t), value :: stride_item
+      integer(c_int64_t), value :: stride_component
+      type(c_ptr), value :: inside
+      integer(c_int64_t), value :: stride_inside
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_sample_grid
+
+    function vbgpd_model_ground_surface(model, xy, stride, cap, n) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      type(c_ptr), value :: xy
+      integer(c_int64_t), value :: stride
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: n
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_ground_surface
+
+    function vbgpd_model_view_acquire(model, field, view) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: field
+      type(vbgpd_view), intent(inout), optional :: view
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_view_acquire
+
+    function vbgpd_model_view_release(model, lease) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: lease
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_view_release
+
     function vbgpd_model_state_hash(model, hash) result(outcome) bind(C)
       import
       type(c_ptr), value :: model
       integer(c_int64_t), intent(inout), optional :: hash
       integer(c_int32_t) :: outcome
     end function vbgpd_model_state_hash
+
+    ! ---- events
+    function vbgpd_model_events_read(model, after, dst, stride, cap, n, dropped) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: after
+      type(c_ptr), value :: dst
+      integer(c_int64_t), value :: stride
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: n
+      integer(c_int64_t), intent(inout), optional :: dropped
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_events_read
+
+    ! ---- setting from outside: stays until set again
+    function vbgpd_model_write_f64(model, field, selection, src, stride_item, stride_component, &
+                                   n) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: field
+      type(vbgpd_selection), intent(in), optional :: selection
+      type(c_ptr), value :: src
+      integer(c_int64_t), value :: stride_item
+      integer(c_int64_t), value :: stride_component
+      integer(c_int64_t), value :: n
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_write_f64
+
+    function vbgpd_model_write_points(model, field, xy, stride_xy, src, stride_item, stride_component, &
+                                      n) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: field
+      type(c_ptr), value :: xy
+      integer(c_int64_t), value :: stride_xy
+      type(c_ptr), value :: src
+      integer(c_int64_t), value :: stride_item
+      integer(c_int64_t), value :: stride_component
+      integer(c_int64_t), value :: n
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_write_points
+
+    function vbgpd_model_write_grid(model, field, x0, y0, dx, dy, nx, ny, src, stride_item) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: field
+      real(c_double), value :: x0
+      real(c_double), value :: y0
+      real(c_double), value :: dx
+      real(c_double), value :: dy
+      integer(c_int64_t), value :: nx
+      integer(c_int64_t), value :: ny
+      type(c_ptr), value :: src
+      integer(c_int64_t), value :: stride_item
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_write_grid
+
+    function vbgpd_model_set_load(model, load_id, pressure, pressure_end) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: load_id
+      real(c_double), value :: pressure
+      real(c_double), value :: pressure_end
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_set_load
+
+    function vbgpd_model_set_boundary_velocity(model, boundary_id, vx, vy) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: boundary_id
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_set_boundary_velocity
+
+    function vbgpd_model_boundary_reaction(model, boundary_id, fx, fy) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: boundary_id
+      real(c_double), intent(inout), optional :: fx
+      real(c_double), intent(inout), optional :: fy
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_boundary_reaction
   end interface
 end module vbgpd_c

@@ -1,20 +1,11 @@
 ! Jobs: equilibrium or strength reduction, advanced in slices; their results.
 module vbgpd_jobs
   use vbgpd_c
-  use vbgpd_models, only: vbgpd_model
+  use vbgpd_base_models, only: vbgpd_base_model
   use vbgpd_support
   implicit none
   private
-  public :: vbgpd_job, vbgpd_go_on
-
-  ! A progress function of the program; .false. stops the run, which can be continued.
-  abstract interface
-    function vbgpd_go_on(progress) result(go_on)
-      import :: vbgpd_progress
-      type(vbgpd_progress), intent(in) :: progress
-      logical :: go_on
-    end function vbgpd_go_on
-  end interface
+  public :: vbgpd_job
 
   type :: vbgpd_job
     type(c_ptr) :: handle = c_null_ptr ! for calls of module vbgpd_c
@@ -36,15 +27,11 @@ module vbgpd_jobs
     final :: finalize
   end type vbgpd_job
 
-  type :: listener
-    procedure(vbgpd_go_on), pointer, nopass :: go_on => null()
-  end type listener
-
 contains
 
   subroutine create_equilibrium(self, model, stat, errmsg)
     class(vbgpd_job), intent(inout) :: self
-    class(vbgpd_model), intent(in) :: model
+    class(vbgpd_base_model), intent(in) :: model
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
     type(c_ptr) :: fresh
@@ -57,7 +44,7 @@ contains
 
   subroutine create_strength_reduction(self, model, stat, errmsg)
     class(vbgpd_job), intent(inout) :: self
-    class(vbgpd_model), intent(in) :: model
+    class(vbgpd_base_model), intent(in) :: model
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
     type(c_ptr) :: fresh
@@ -120,15 +107,6 @@ contains
     call conclude(vbgpd_job_run(self%handle, limit, teller, c_loc(user), progress), &
                   vbgpd_job_error, self%handle, stat, errmsg)
   end subroutine run
-
-  function tell(user, progress) result(stop_now) bind(C)
-    type(c_ptr), value :: user
-    type(vbgpd_progress), intent(in) :: progress
-    integer(c_int32_t) :: stop_now
-    type(listener), pointer :: hearer
-    call c_f_pointer(user, hearer)
-    stop_now = merge(0_c_int32_t, 1_c_int32_t, hearer%go_on(progress))
-  end function tell
 
   subroutine cancel(self, stat, errmsg)
     class(vbgpd_job), intent(in) :: self

@@ -1,253 +1,488 @@
-! Models: particles and virtual bonds, at a time; stepping, named numbers, fields.
+! Models that partners couple to: setting from outside, selections, sampling, views, states, checkpoints.
 module vbgpd_models
   use vbgpd_c
+  use vbgpd_base_models, only: vbgpd_base_model
   use vbgpd_contexts, only: vbgpd_context
-  use vbgpd_profiles, only: vbgpd_profile
   use vbgpd_support
   implicit none
   private
-  public :: vbgpd_model
+  public :: vbgpd_model, vbgpd_state
 
-  type :: vbgpd_model
+  ! A saved instant of a model; ends by itself.
+  type :: vbgpd_state
     type(c_ptr) :: handle = c_null_ptr ! for calls of module vbgpd_c
   contains
-    procedure :: create
-    procedure :: destroy
-    procedure :: set => set_number
-    procedure :: get => get_number
-    procedure :: plan
-    procedure :: step
-    procedure :: cancel
-    procedure :: item_count
-    procedure, private :: read_f64_column, read_f64_rows, read_i64_column, read_i64_rows
-    generic :: read => read_f64_column, read_f64_rows, read_i64_column, read_i64_rows
-    procedure :: state_hash
-    procedure :: last_error
-    procedure, private :: copy
+    procedure :: destroy => destroy_state
+    procedure, private :: copy => copy_state
     generic :: assignment(=) => copy
-    final :: finalize
+    final :: finalize_state
+  end type vbgpd_state
+
+  type, extends(vbgpd_base_model) :: vbgpd_model
+  contains
+    procedure :: save
+    procedure :: restore
+    procedure :: checkpoint
+    procedure :: create_from_checkpoint
+    procedure :: restore_checkpoint
+    procedure :: events
+    procedure :: select
+    procedure, private :: selected_f64_column, selected_f64_rows, selected_i64_column
+    generic :: read_selected => selected_f64_column, selected_f64_rows, selected_i64_column
+    procedure :: sample
+    procedure :: sample_line
+    procedure :: sample_grid
+    procedure :: ground_surface
+    procedure :: view
+    procedure :: release
+    procedure, private :: write_column, write_rows
+    generic :: write => write_column, write_rows
+    procedure, private :: write_points_column, write_points_rows
+    generic :: write_points => write_points_column, write_points_rows
+    procedure :: write_grid
+    procedure :: set_load
+    procedure :: set_boundary_velocity
+    procedure :: boundary_reaction
   end type vbgpd_model
 
 contains
 
-  ! Of a faulty profile errmsg has every error.
-  subroutine create(self, context, profile, stat, errmsg)
+  ! Everything that changes, into a state; a state that holds one already is written over.
+  subroutine save(self, state, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    type(vbgpd_state), intent(inout) :: state
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    call conclude(vbgpd_model_save_state(self%handle, state%handle), vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine save
+
+  subroutine restore(self, state, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    type(vbgpd_state), intent(in) :: state
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    call conclude(vbgpd_model_restore_state(self%handle, state%handle), vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine restore
+
+  ! The model with its profile as bytes, for a file (access="stream") or another process.
+  subroutine checkpoint(self, bytes, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int8_t), allocatable, target, intent(inout) :: bytes(:)
+    integer(c_int64_t) :: needed
+    integer(c_int32_t) :: status
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    needed = 0
+    status = vbgpd_model_checkpoint(self%handle, c_null_ptr, 0_c_int64_t, needed)
+    if (status >= 0) then
+      if (allocated(bytes)) deallocate (bytes)
+      allocate (bytes(needed))
+      status = vbgpd_model_checkpoint(self%handle, c_loc(bytes), needed, needed)
+    end if
+    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine checkpoint
+
+  subroutine create_from_checkpoint(self, context, bytes, stat, errmsg)
     class(vbgpd_model), intent(inout) :: self
     class(vbgpd_context), intent(in) :: context
-    class(vbgpd_profile), intent(in) :: profile
+    integer(c_int8_t), target, contiguous, intent(in) :: bytes(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
     type(c_ptr) :: fresh
     integer(c_int32_t) :: status, ignored
     fresh = c_null_ptr
-    status = vbgpd_model_create(context%handle, profile%handle, fresh)
+    status = vbgpd_model_create_from_checkpoint(context%handle, c_loc(bytes), size(bytes, kind=c_int64_t), fresh)
     if (status >= 0) then
       ignored = vbgpd_model_destroy(self%handle)
       self%handle = fresh
     end if
     call conclude(status, vbgpd_context_error, context%handle, stat, errmsg)
-  end subroutine create
+  end subroutine create_from_checkpoint
 
-  subroutine destroy(self, stat, errmsg)
-    class(vbgpd_model), intent(inout) :: self
+  subroutine restore_checkpoint(self, bytes, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int8_t), target, contiguous, intent(in) :: bytes(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    call conclude(vbgpd_model_restore_checkpoint(self%handle, c_loc(bytes), size(bytes, kind=c_int64_t)), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine restore_checkpoint
+
+  ! What happened with a sequence above `after`, oldest first.
+  subroutine events(self, after, list, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int64_t), intent(in) :: after
+    type(vbgpd_event), allocatable, target, intent(inout) :: list(:)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    integer(c_int64_t) :: n
     integer(c_int32_t) :: status
-    status = vbgpd_model_destroy(self%handle)
+    n = 0
+    status = vbgpd_model_events_read(self%handle, after, c_null_ptr, 0_c_int64_t, 0_c_int64_t, n)
+    if (status >= 0) then
+      if (allocated(list)) deallocate (list)
+      allocate (list(n))
+      if (n > 0) status = vbgpd_model_events_read(self%handle, after, c_loc(list), int(list(1)%struct_size, c_int64_t), n, n)
+    end if
     call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
-    if (status >= 0) self%handle = c_null_ptr
-  end subroutine destroy
+  end subroutine events
 
-  subroutine set_number(self, name, value, stat, errmsg)
+  ! The ids of the selected particles.
+  subroutine select(self, where, ids, stat, errmsg)
     class(vbgpd_model), intent(in) :: self
-    character(*), intent(in) :: name
-    real(c_double), intent(in) :: value
+    type(vbgpd_selection), intent(in) :: where
+    integer(c_int64_t), allocatable, target, intent(inout) :: ids(:)
+    integer(c_int64_t) :: n
+    integer(c_int32_t) :: status
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_set_f64(self%handle, name, len_trim(name, c_int64_t), value), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine set_number
+    n = 0
+    status = vbgpd_model_select(self%handle, where, c_null_ptr, 8_c_int64_t, 0_c_int64_t, n)
+    if (status >= 0) then
+      if (allocated(ids)) deallocate (ids)
+      allocate (ids(n))
+      if (n > 0) status = vbgpd_model_select(self%handle, where, c_loc(ids), 8_c_int64_t, n, n)
+    end if
+    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine select
 
-  subroutine get_number(self, name, value, stat, errmsg)
-    class(vbgpd_model), intent(in) :: self
-    character(*), intent(in) :: name
-    real(c_double), intent(inout) :: value
-    integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_get_f64(self%handle, name, len_trim(name, c_int64_t), value), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine get_number
-
-  ! Feature i from 0, used or left out; stat VBGPD_END_OF_DATA past the last. vbgpd_text(record%name) is its name.
-  subroutine plan(self, i, record, stat, errmsg)
-    class(vbgpd_model), intent(in) :: self
-    integer(c_int64_t), intent(in) :: i
-    type(vbgpd_feature), intent(inout) :: record
-    integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_plan(self%handle, i, record), vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine plan
-
-  ! Explicit dynamic steps with true masses at the stable time step.
-  subroutine step(self, steps, report, stat, errmsg)
-    class(vbgpd_model), intent(in) :: self
-    integer(c_int64_t), intent(in) :: steps
-    type(vbgpd_advance_result), intent(inout), optional :: report
-    integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_step(self%handle, steps, report), vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine step
-
-  subroutine cancel(self, stat, errmsg)
-    class(vbgpd_model), intent(in) :: self
-    integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_cancel(self%handle), vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine cancel
-
-  ! location: VBGPD_AT_PARTICLE or VBGPD_AT_BOND.
-  subroutine item_count(self, location, n, stat, errmsg)
-    class(vbgpd_model), intent(in) :: self
-    integer(c_int32_t), intent(in) :: location
-    integer(c_int64_t), intent(inout) :: n
-    integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_item_count(self%handle, location, n), vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine item_count
-
-  ! read(field, values): values(component, item), or values(item) of a field with one component; any section of an
-  ! array, written in place. n is the number of items there are; an array for no items asks for that only.
-  subroutine read_f64_rows(self, field, values, n, stat, errmsg)
+  ! read_selected(field, where, values): as read, of the selected particles.
+  subroutine selected_f64_rows(self, field, where, values, n, stat, errmsg)
     class(vbgpd_model), intent(in) :: self
     character(*), intent(in) :: field
+    type(vbgpd_selection), intent(in) :: where
     real(c_double), intent(inout), target :: values(:, :)
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    integer(c_int64_t) :: row, column
+    type(item_view) :: view
     integer(c_int32_t) :: id
-    type(c_ptr) :: first
-    if (.not. find(field, size(values, 1), id, stat, errmsg)) return
-    row = 0
-    column = 0
-    first = c_null_ptr
-    if (size(values) > 0) first = c_loc(values(1, 1))
-    if (size(values) > 0 .and. size(values, 2) > 1) row = byte_distance(first, c_loc(values(1, 2)))
-    if (size(values) > 0 .and. size(values, 1) > 1) column = byte_distance(first, c_loc(values(2, 1)))
-    call conclude(vbgpd_model_read_f64(self%handle, id, first, row, column, size(values, 2, c_int64_t), n), &
+    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    view = view_of_items(values)
+    call conclude(vbgpd_model_read_selected_f64(self%handle, id, where, view%first, view%row, view%column, view%n, n), &
                   vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine read_f64_rows
+  end subroutine selected_f64_rows
 
-  subroutine read_f64_column(self, field, values, n, stat, errmsg)
+  subroutine selected_f64_column(self, field, where, values, n, stat, errmsg)
     class(vbgpd_model), intent(in) :: self
     character(*), intent(in) :: field
+    type(vbgpd_selection), intent(in) :: where
     real(c_double), intent(inout), target :: values(:)
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    integer(c_int64_t) :: row
+    type(item_view) :: view
     integer(c_int32_t) :: id
-    type(c_ptr) :: first
-    if (.not. find(field, 1, id, stat, errmsg)) return
-    row = 0
-    first = c_null_ptr
-    if (size(values) > 0) first = c_loc(values(1))
-    if (size(values) > 1) row = byte_distance(first, c_loc(values(2)))
-    call conclude(vbgpd_model_read_f64(self%handle, id, first, row, 0_c_int64_t, size(values, kind=c_int64_t), n), &
+    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    view = view_of_values(values)
+    call conclude(vbgpd_model_read_selected_f64(self%handle, id, where, view%first, view%row, view%column, view%n, n), &
                   vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine read_f64_column
+  end subroutine selected_f64_column
 
-  subroutine read_i64_rows(self, field, values, n, stat, errmsg)
+  subroutine selected_i64_column(self, field, where, values, n, stat, errmsg)
     class(vbgpd_model), intent(in) :: self
     character(*), intent(in) :: field
-    integer(c_int64_t), intent(inout), target :: values(:, :)
-    integer(c_int64_t), intent(inout), optional :: n
-    integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
-    integer(c_int64_t) :: row, column
-    integer(c_int32_t) :: id
-    type(c_ptr) :: first
-    if (.not. find(field, size(values, 1), id, stat, errmsg)) return
-    row = 0
-    column = 0
-    first = c_null_ptr
-    if (size(values) > 0) first = c_loc(values(1, 1))
-    if (size(values) > 0 .and. size(values, 2) > 1) row = byte_distance(first, c_loc(values(1, 2)))
-    if (size(values) > 0 .and. size(values, 1) > 1) column = byte_distance(first, c_loc(values(2, 1)))
-    call conclude(vbgpd_model_read_i64(self%handle, id, first, row, column, size(values, 2, c_int64_t), n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine read_i64_rows
-
-  subroutine read_i64_column(self, field, values, n, stat, errmsg)
-    class(vbgpd_model), intent(in) :: self
-    character(*), intent(in) :: field
+    type(vbgpd_selection), intent(in) :: where
     integer(c_int64_t), intent(inout), target :: values(:)
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    integer(c_int64_t) :: row
+    type(item_view) :: view
     integer(c_int32_t) :: id
-    type(c_ptr) :: first
-    if (.not. find(field, 1, id, stat, errmsg)) return
-    row = 0
-    first = c_null_ptr
-    if (size(values) > 0) first = c_loc(values(1))
-    if (size(values) > 1) row = byte_distance(first, c_loc(values(2)))
-    call conclude(vbgpd_model_read_i64(self%handle, id, first, row, 0_c_int64_t, size(values, kind=c_int64_t), n), &
+    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    view%n = size(values, kind=c_int64_t)
+    if (view%n > 0) view%first = c_loc(values(1))
+    if (view%n > 1) view%row = byte_distance(view%first, c_loc(values(2)))
+    call conclude(vbgpd_model_read_selected_i64(self%handle, id, where, view%first, view%row, view%column, view%n, n), &
                   vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine read_i64_column
+  end subroutine selected_i64_column
 
-  ! The C face knows nothing of the array's extent within an item: rows must be as many as the field has components.
-  function find(field, rows, id, stat, errmsg) result(found)
+  ! values(component, place) of a field at xy(2, place); NaN, and inside 0, where no soil is.
+  subroutine sample(self, field, xy, values, inside, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
     character(*), intent(in) :: field
-    integer, intent(in) :: rows
-    integer(c_int32_t), intent(out) :: id
+    real(c_double), intent(in) :: xy(:, :)
+    real(c_double), intent(inout), target :: values(:, :)
+    integer(c_int64_t), intent(inout), optional, target :: inside(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    logical :: found
-    type(vbgpd_field_info) :: info
+    type(point_view), target :: places
+    type(item_view) :: view
+    integer(c_int32_t) :: id
+    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    if (.not. accept_points(xy, places, stat, errmsg)) return
+    if (.not. as_many(size(values, 2, c_int64_t), places%n, stat, errmsg)) return
+    view = view_of_items(values)
+    call conclude(vbgpd_model_sample_points(self%handle, id, places%address, places%stride, places%n, view%first, &
+                                            view%row, view%column, first_mark(inside), mark_stride(inside)), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine sample
+
+  ! As many places at equal distances as values(component, place) has.
+  subroutine sample_line(self, field, from, to, values, inside, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    character(*), intent(in) :: field
+    real(c_double), intent(in) :: from(2), to(2)
+    real(c_double), intent(inout), target :: values(:, :)
+    integer(c_int64_t), intent(inout), optional, target :: inside(:)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(item_view) :: view
+    integer(c_int32_t) :: id
+    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    view = view_of_items(values)
+    call conclude(vbgpd_model_sample_line(self%handle, id, from(1), from(2), to(1), to(2), view%n, view%first, view%row, &
+                                          view%column, first_mark(inside), mark_stride(inside)), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine sample_line
+
+  ! values(component, nx*ny), x runs first.
+  subroutine sample_grid(self, field, origin, step, nx, ny, values, inside, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    character(*), intent(in) :: field
+    real(c_double), intent(in) :: origin(2), step(2)
+    integer(c_int64_t), intent(in) :: nx, ny
+    real(c_double), intent(inout), target :: values(:, :)
+    integer(c_int64_t), intent(inout), optional, target :: inside(:)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(item_view) :: view
+    integer(c_int32_t) :: id
+    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    if (.not. as_many(size(values, 2, c_int64_t), nx*ny, stat, errmsg)) return
+    view = view_of_items(values)
+    call conclude(vbgpd_model_sample_grid(self%handle, id, origin(1), origin(2), step(1), step(2), nx, ny, view%first, &
+                                          view%row, view%column, first_mark(inside), mark_stride(inside)), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine sample_grid
+
+  ! The ground surface in its present shape: xy(2, n), left to right.
+  subroutine ground_surface(self, xy, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    real(c_double), allocatable, target, intent(inout) :: xy(:, :)
+    integer(c_int64_t) :: n
     integer(c_int32_t) :: status
-    id = -1
-    status = vbgpd_field_find(field, len_trim(field, c_int64_t), id)
-    if (status == VBGPD_OK) status = vbgpd_field_info_at(int(id, c_int64_t), info)
-    found = status == VBGPD_OK .and. info%components == rows
-    if (status /= VBGPD_OK) then
-      call refuse(status, "There is no field named """ // trim(field) // """.", stat, errmsg)
-    else if (.not. found) then
-      call refuse(VBGPD_E_ARGUMENT, "The field """ // trim(field) // """ has " // &
-                  number_text(int(info%components, c_int64_t)) // " components per item; the array has room for " // &
-                  number_text(int(rows, c_int64_t)) // ".", stat, errmsg)
-    end if
-  end function find
-
-  ! The 64 bits of the hash; as an unsigned number they may be beyond huge(hash).
-  subroutine state_hash(self, hash, stat, errmsg)
-    class(vbgpd_model), intent(in) :: self
-    integer(c_int64_t), intent(inout) :: hash
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_state_hash(self%handle, hash), vbgpd_model_error, self%handle, stat, errmsg)
-  end subroutine state_hash
+    n = 0
+    status = vbgpd_model_ground_surface(self%handle, c_null_ptr, 16_c_int64_t, 0_c_int64_t, n)
+    if (status >= 0) then
+      if (allocated(xy)) deallocate (xy)
+      allocate (xy(2, n))
+      if (n > 0) status = vbgpd_model_ground_surface(self%handle, c_loc(xy), 16_c_int64_t, n, n)
+    end if
+    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine ground_surface
 
-  ! The last failure on this object; stat VBGPD_END_OF_DATA when there was none.
-  subroutine last_error(self, info, text, stat)
+  ! The components of a real field where they are stored, padding included (particle_id says which item is which
+  ! particle, by the raw functions). The model does not change until release(lease); do not use the pointers after that.
+  subroutine view(self, field, lease, first, second, stat, errmsg)
     class(vbgpd_model), intent(in) :: self
-    type(vbgpd_error_info), intent(inout) :: info
-    character(:), allocatable, intent(out) :: text
-    integer(c_int32_t), intent(out) :: stat
-    call read_error(vbgpd_model_error, self%handle, info, text, stat)
-  end subroutine last_error
+    character(*), intent(in) :: field
+    integer(c_int64_t), intent(out) :: lease
+    real(c_double), pointer, intent(out) :: first(:)
+    real(c_double), pointer, intent(out), optional :: second(:)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(vbgpd_view) :: lent
+    integer(c_int32_t) :: id, status
+    nullify (first)
+    if (present(second)) nullify (second)
+    lease = 0
+    if (.not. find_field(field, merge(2, 1, present(second)), id, stat, errmsg)) return
+    status = vbgpd_model_view_acquire(self%handle, id, lent)
+    if (status >= 0) then
+      lease = lent%lease
+      call c_f_pointer(lent%data, first, [lent%count])
+      if (present(second)) call c_f_pointer(moved(lent%data, lent%stride_component), second, [lent%count])
+    end if
+    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine view
 
-  subroutine copy(self, other)
-    class(vbgpd_model), intent(inout) :: self
-    class(vbgpd_model), intent(in) :: other
-    if (same_type_as(self, other)) call copied_handle("model")
-  end subroutine copy
+  subroutine release(self, lease, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int64_t), intent(in) :: lease
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    call conclude(vbgpd_model_view_release(self%handle, lease), vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine release
 
-  impure elemental subroutine finalize(self)
-    type(vbgpd_model), intent(inout) :: self
-    integer(c_int32_t) :: ignored
-    ignored = vbgpd_model_destroy(self%handle)
+  ! write(field, values): of all particles by id, or of those selected.
+  subroutine write_column(self, field, values, where, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    character(*), intent(in) :: field
+    real(c_double), intent(in), target :: values(:)
+    type(vbgpd_selection), intent(in), optional :: where
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(item_view) :: view
+    integer(c_int32_t) :: id
+    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    view = view_of_values(values)
+    call conclude(vbgpd_model_write_f64(self%handle, id, where, view%first, view%row, view%column, view%n), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine write_column
+
+  ! Values known at xy(2, n), brought to all particles.
+  subroutine write_points_column(self, field, xy, values, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    character(*), intent(in) :: field
+    real(c_double), intent(in) :: xy(:, :)
+    real(c_double), intent(in), target :: values(:)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(point_view), target :: places
+    type(item_view) :: view
+    integer(c_int32_t) :: id
+    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    if (.not. accept_points(xy, places, stat, errmsg)) return
+    view = view_of_values(values)
+    if (.not. as_many(view%n, places%n, stat, errmsg)) return
+    call conclude(vbgpd_model_write_points(self%handle, id, places%address, places%stride, view%first, view%row, &
+                                           view%column, places%n), vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine write_points_column
+
+  subroutine write_rows(self, field, values, where, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    character(*), intent(in) :: field
+    real(c_double), intent(in), target :: values(:, :)
+    type(vbgpd_selection), intent(in), optional :: where
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(item_view) :: view
+    integer(c_int32_t) :: id
+    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    view = view_of_items(values)
+    call conclude(vbgpd_model_write_f64(self%handle, id, where, view%first, view%row, view%column, view%n), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine write_rows
+
+  subroutine write_points_rows(self, field, xy, values, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    character(*), intent(in) :: field
+    real(c_double), intent(in) :: xy(:, :)
+    real(c_double), intent(in), target :: values(:, :)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(point_view), target :: places
+    type(item_view) :: view
+    integer(c_int32_t) :: id
+    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    if (.not. accept_points(xy, places, stat, errmsg)) return
+    view = view_of_items(values)
+    if (.not. as_many(view%n, places%n, stat, errmsg)) return
+    call conclude(vbgpd_model_write_points(self%handle, id, places%address, places%stride, view%first, view%row, &
+                                           view%column, places%n), vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine write_points_rows
+
+  ! values(nx, ny) at origin + [i, j]*step; NaN = no value.
+  subroutine write_grid(self, field, origin, step, values, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    character(*), intent(in) :: field
+    real(c_double), intent(in) :: origin(2), step(2)
+    real(c_double), intent(in) :: values(:, :)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    real(c_double), allocatable, target :: packed(:, :)
+    integer(c_int32_t) :: id
+    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    packed = values
+    call conclude(vbgpd_model_write_grid(self%handle, id, origin(1), origin(2), step(1), step(2), &
+                                         size(values, 1, c_int64_t), size(values, 2, c_int64_t), c_loc(packed), &
+                                         8_c_int64_t), vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine write_grid
+
+  subroutine set_load(self, load, pressure, pressure_end, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int64_t), intent(in) :: load
+    real(c_double), intent(in) :: pressure
+    real(c_double), intent(in), optional :: pressure_end
+    real(c_double) :: at_end
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    at_end = pressure
+    if (present(pressure_end)) at_end = pressure_end
+    call conclude(vbgpd_model_set_load(self%handle, load, pressure, at_end), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine set_load
+
+  subroutine set_boundary_velocity(self, boundary, velocity, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int64_t), intent(in) :: boundary
+    real(c_double), intent(in) :: velocity(2)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    call conclude(vbgpd_model_set_boundary_velocity(self%handle, boundary, velocity(1), velocity(2)), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine set_boundary_velocity
+
+  subroutine boundary_reaction(self, boundary, force, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int64_t), intent(in) :: boundary
+    real(c_double), intent(inout) :: force(2)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    call conclude(vbgpd_model_boundary_reaction(self%handle, boundary, force(1), force(2)), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine boundary_reaction
+
+  function as_many(given, needed, stat, errmsg) result(fits)
+    integer(c_int64_t), intent(in) :: given, needed
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    logical :: fits
+    fits = given == needed
+    if (.not. fits) call refuse(VBGPD_E_ARGUMENT, "There are values for " // number_text(given) // " places; there are " // &
+                                number_text(needed) // " places.", stat, errmsg)
+  end function as_many
+
+  function first_mark(marks) result(address)
+    integer(c_int64_t), intent(in), optional, target :: marks(:)
+    type(c_ptr) :: address
+    address = c_null_ptr
+    if (.not. present(marks)) return
+    if (size(marks) > 0) address = c_loc(marks(1))
+  end function first_mark
+
+  function mark_stride(marks) result(bytes)
+    integer(c_int64_t), intent(in), optional, target :: marks(:)
+    integer(c_int64_t) :: bytes
+    bytes = 0
+    if (.not. present(marks)) return
+    if (size(marks) > 1) bytes = byte_distance(c_loc(marks(1)), c_loc(marks(2)))
+  end function mark_stride
+
+  function moved(address, bytes) result(there)
+    type(c_ptr), intent(in) :: address
+    integer(c_int64_t), intent(in) :: bytes
+    type(c_ptr) :: there
+    there = transfer(transfer(address, 0_c_intptr_t) + int(bytes, c_intptr_t), c_null_ptr)
+  end function moved
+
+  subroutine destroy_state(self, stat, errmsg)
+    class(vbgpd_state), intent(inout) :: self
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    integer(c_int32_t) :: status
+    status = vbgpd_state_destroy(self%handle)
+    if (status < 0) then
+      call refuse(status, "The state is in use by another call or already destroyed.", stat, errmsg)
+      return
+    end if
     self%handle = c_null_ptr
-  end subroutine finalize
+    if (present(stat)) stat = status
+  end subroutine destroy_state
+
+  subroutine copy_state(self, other)
+    class(vbgpd_state), intent(inout) :: self
+    class(vbgpd_state), intent(in) :: other
+    if (same_type_as(self, other)) call copied_handle("state")
+  end subroutine copy_state
+
+  impure elemental subroutine finalize_state(self)
+    type(vbgpd_state), intent(inout) :: self
+    integer(c_int32_t) :: ignored
+    ignored = vbgpd_state_destroy(self%handle)
+    self%handle = c_null_ptr
+  end subroutine finalize_state
 end module vbgpd_models

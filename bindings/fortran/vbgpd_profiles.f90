@@ -12,6 +12,7 @@ module vbgpd_profiles
   contains
     procedure :: create
     procedure :: create_from_flatbuffer
+    procedure :: to_flatbuffer
     procedure :: destroy
     procedure :: set_exterior
     procedure :: add_material
@@ -62,6 +63,24 @@ contains
     call adopt(self, fresh, status)
     call conclude(status, vbgpd_context_error, context%handle, stat, errmsg)
   end subroutine create_from_flatbuffer
+
+  ! The profile as a scene flatbuffer.
+  subroutine to_flatbuffer(self, bytes, stat, errmsg)
+    class(vbgpd_profile), intent(in) :: self
+    integer(c_int8_t), allocatable, target, intent(inout) :: bytes(:)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    integer(c_int64_t) :: needed
+    integer(c_int32_t) :: status
+    needed = 0
+    status = vbgpd_profile_to_flatbuffer(self%handle, c_null_ptr, 0_c_int64_t, needed)
+    if (status >= 0) then
+      if (allocated(bytes)) deallocate (bytes)
+      allocate (bytes(needed))
+      status = vbgpd_profile_to_flatbuffer(self%handle, c_loc(bytes), needed, needed)
+    end if
+    call conclude(status, vbgpd_profile_error, self%handle, stat, errmsg)
+  end subroutine to_flatbuffer
 
   subroutine adopt(self, fresh, status)
     class(vbgpd_profile), intent(inout) :: self

@@ -5,6 +5,7 @@ module vbgpd_support
   private
   public :: conclude, refuse, read_error, error_reader, vbgpd_text, vbgpd_status_text
   public :: point_view, accept_points, byte_distance, number_text, copied_handle
+  public :: vbgpd_go_on, listener, tell, find_field, item_view, view_of_items, view_of_values
 
   ! The shape of vbgpd_context_error and its three sisters.
   abstract interface
@@ -27,6 +28,19 @@ module vbgpd_support
     end function strlen
   end interface
 
+  ! A progress function of the program; .false. stops the run, which can be continued.
+  abstract interface
+    function vbgpd_go_on(progress) result(go_on)
+      import :: vbgpd_progress
+      type(vbgpd_progress), intent(in) :: progress
+      logical :: go_on
+    end function vbgpd_go_on
+  end interface
+
+  type :: listener
+    procedure(vbgpd_go_on), pointer, nopass :: go_on => null()
+  end type listener
+
   ! n points as the C face takes them; packed holds a copy when y does not lie 8 bytes behind x.
   type :: point_view
     type(c_ptr) :: address = c_null_ptr
@@ -34,7 +48,34 @@ module vbgpd_support
     real(c_double), allocatable :: packed(:, :)
   end type point_view
 
+  ! Items of a field as the C face takes them, in place.
+  type :: item_view
+    type(c_ptr) :: first = c_null_ptr
+    integer(c_int64_t) :: row = 0, column = 0, n = 0
+  end type item_view
+
 contains
+
+  ! values(component, item)
+  function view_of_items(values) result(view)
+    real(c_double), intent(in), target :: values(:, :)
+    type(item_view) :: view
+    view%n = size(values, 2, c_int64_t)
+    if (size(values) == 0) return
+    view%first = c_loc(values(1, 1))
+    if (size(values, 2) > 1) view%row = byte_distance(view%first, c_loc(values(1, 2)))
+    if (size(values, 1) > 1) view%column = byte_distance(view%first, c_loc(values(2, 1)))
+  end function view_of_items
+
+  ! values(item)
+  function view_of_values(values) result(view)
+    real(c_double), intent(in), target :: values(:)
+    type(item_view) :: view
+    view%n = size(values, kind=c_int64_t)
+    if (size(values) == 0) return
+    view%first = c_loc(values(1))
+    if (size(values) > 1) view%row = byte_distance(view%first, c_loc(values(2)))
+  end function view_of_values
 
   ! A NUL-terminated text of the library, e.g. the name in a vbgpd_field_info.
   function vbgpd_text(address) result(text)
@@ -130,6 +171,15 @@ contains
     end select
   end function unrecorded
 
+  function tell(user, progress) result(stop_now) bind(C)
+    type(c_ptr), value :: user
+    type(vbgpd_progress), intent(in) :: progress
+    integer(c_int32_t) :: stop_now
+    type(listener), pointer :: hearer
+    call c_f_pointer(user, hearer)
+    stop_now = merge(0_c_int32_t, 1_c_int32_t, hearer%go_on(progress))
+  end function tell
+
   function byte_distance(from, to) result(bytes)
     type(c_ptr), intent(in) :: from, to
     integer(c_int64_t) :: bytes
@@ -159,6 +209,29 @@ contains
       view%address = c_loc(view%packed)
     end if
   end function accept_points
+
+  ! The C face knows nothing of the array's extent within an item: rows must be as many as the field has components.
+  function find_field(field, rows, id, stat, errmsg) result(found)
+    character(*), intent(in) :: field
+    integer, intent(in) :: rows
+    integer(c_int32_t), intent(out) :: id
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    logical :: found
+    type(vbgpd_field_info) :: info
+    integer(c_int32_t) :: status
+    id = -1
+    status = vbgpd_field_find(field, len_trim(field, c_int64_t), id)
+    if (status == VBGPD_OK) status = vbgpd_field_info_at(int(id, c_int64_t), info)
+    found = status == VBGPD_OK .and. info%components == rows
+    if (status /= VBGPD_OK) then
+      call refuse(status, "There is no field named """ // trim(field) // """.", stat, errmsg)
+    else if (.not. found) then
+      call refuse(VBGPD_E_ARGUMENT, "The field """ // trim(field) // """ has " // &
+                  number_text(int(info%components, c_int64_t)) // " components per item; the array has room for " // &
+                  number_text(int(rows, c_int64_t)) // ".", stat, errmsg)
+    end if
+  end function find_field
 
   ! A handle has one owner, whose end destroys the object: copies are a mistake of the program.
   subroutine copied_handle(what)

@@ -1,8 +1,7 @@
 // Fields: what can be read, and copies of it into any strided layout.
-#include <cstdlib>
-
-#include "convert.h"
+#include "arrays.h"
 #include "guard.h"
+#include "selection.h"
 
 namespace vbgpd::capi {
 namespace {
@@ -17,46 +16,6 @@ Location location_in(std::int32_t location, int argument) {
 
 std::int64_t item_count(const Simulation& simulation, Location location) {
   return location == Location::kBond ? simulation.bond_count() : simulation.particle_count();
-}
-
-const FieldInfo& field_in(std::int32_t field, int argument) {
-  const auto all = fields();
-  if (field >= 0 && static_cast<std::size_t>(field) < all.size()) return all[static_cast<std::size_t>(field)];
-  throw ArgumentError(argument, Status::kArgument,
-                      "There is no field " + std::to_string(field) + ": there are " + std::to_string(all.size()) +
-                          ", numbered from 0.");
-}
-
-/// Where component c of item i goes: i*item + c*component bytes.
-struct Strides {
-  std::int64_t item, component;
-};
-
-// Every number must have bytes of its own: either rows lie apart and columns within them, or the other way round.
-Strides strides_in(std::int64_t item, std::int64_t component, std::int64_t components, std::int64_t count,
-                   int argument) {
-  constexpr std::int64_t kNumber = 8;
-  if (component == 0) component = kNumber;
-  if (item == 0) item = kNumber * components;
-  const std::int64_t step = components > 1 ? std::abs(component) : kNumber;
-  const std::int64_t row = count > 1 ? std::abs(item) : kNumber * components;
-  const bool apart = step >= kNumber && row >= kNumber &&
-                     (components == 1 || count == 1 || (row - kNumber) / step >= components - 1 ||
-                      (step - kNumber) / row >= count - 1);
-  if (apart) return {item, component};
-  throw ArgumentError(argument, Status::kArgument,
-                      "The strides " + std::to_string(item) + " (item) and " + std::to_string(component) +
-                          " (component) bytes make numbers of 8 bytes overlap.");
-}
-
-template <class Number>
-void scatter(const std::vector<Number>& rows, int components, Strides strides, void* dst) {
-  char* const at = static_cast<char*>(dst);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const auto item = static_cast<std::int64_t>(k) / components;
-    const auto component = static_cast<std::int64_t>(k) % components;
-    std::memcpy(at + item * strides.item + component * strides.component, &rows[k], sizeof(Number));
-  }
 }
 
 template <class Number>
@@ -82,21 +41,37 @@ vbgpd_status read_field(const vbgpd_model* model, std::int32_t field, Number* ds
   return with(model, [&](ModelObject& object) {
     const Simulation& simulation = *object.engine->simulation;
     const FieldInfo& info = field_in(field, 2);
-    if (cap < 0) {
-      throw ArgumentError(6, Status::kArgument,
-                          "The capacity is " + std::to_string(cap) + " items; it must be 0 or more.");
-    }
     const std::int64_t count = item_count(simulation, info.location);
-    if (n != nullptr) *n = count;
-    if (cap == 0) return Status::kOk;
+    if (!items_fit(count, cap, n, 6)) return Status::kOk;
     require_not_null(dst, 3, "dst");
-    if (cap < count) {
-      throw ArgumentError(
-          6, Status::kBuffer,
-          "The array holds " + std::to_string(cap) + " items; " + std::to_string(count) + " are needed.");
-    }
     const Strides strides = strides_in(stride_item, stride_component, info.components, count, 4);
     scatter(rows_of<Number>(simulation, field, info.type), info.components, strides, dst);
+    return Status::kOk;
+  });
+}
+
+template <class Number>
+vbgpd_status read_selected(const vbgpd_model* model, std::int32_t field, const vbgpd_selection* selection, Number* dst,
+                           std::int64_t stride_item, std::int64_t stride_component, std::int64_t cap,
+                           std::int64_t* n) noexcept {
+  return with(model, [&](ModelObject& object) {
+    const Simulation& simulation = *object.engine->simulation;
+    const FieldInfo& info = field_in(field, 2);
+    if (info.location != Location::kParticle)
+      throw ArgumentError(2, Status::kArgument, "Selections are of particles; this is a field of bonds.");
+    const std::vector<std::int64_t> ids = selected(simulation, selection, 3);
+    const auto count = static_cast<std::int64_t>(ids.size());
+    if (!items_fit(count, cap, n, 7) || count == 0) return Status::kOk;
+    require_not_null(dst, 4, "dst");
+    const Strides strides = strides_in(stride_item, stride_component, info.components, count, 5);
+    const std::vector<Number> all = rows_of<Number>(simulation, field, info.type);
+    std::vector<Number> rows;
+    rows.reserve(ids.size() * static_cast<std::size_t>(info.components));
+    for (const std::int64_t id : ids) {
+      const auto first = all.begin() + id * info.components;
+      rows.insert(rows.end(), first, first + info.components);
+    }
+    scatter(rows, info.components, strides, dst);
     return Status::kOk;
   });
 }
@@ -128,6 +103,7 @@ vbgpd_status vbgpd_field_info_at(int64_t i, vbgpd_field_info* info) {
     told.name = field->name;
     told.unit = field->unit;
     told.doc = field->doc;
+    told.writable = field->writable ? 1 : 0;
     fill(info, told);
     return Status::kOk;
   });
@@ -159,6 +135,30 @@ vbgpd_status vbgpd_model_read_f64(const vbgpd_model* model, int32_t field, doubl
 vbgpd_status vbgpd_model_read_i64(const vbgpd_model* model, int32_t field, int64_t* dst, int64_t stride_item,
                                   int64_t stride_component, int64_t cap, int64_t* n) {
   return read_field(model, field, dst, stride_item, stride_component, cap, n);
+}
+
+vbgpd_status vbgpd_model_select(const vbgpd_model* model, const vbgpd_selection* selection, int64_t* ids,
+                                int64_t stride, int64_t cap, int64_t* n) {
+  return with(model, [&](ModelObject& object) {
+    const std::vector<std::int64_t> found = selected(*object.engine->simulation, selection, 2);
+    const auto count = static_cast<std::int64_t>(found.size());
+    if (!items_fit(count, cap, n, 5) || count == 0) return Status::kOk;
+    require_not_null(ids, 3, "ids");
+    scatter(found, 1, {stride_in(stride, count, 4), 8}, ids);
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_model_read_selected_f64(const vbgpd_model* model, int32_t field, const vbgpd_selection* selection,
+                                           double* dst, int64_t stride_item, int64_t stride_component, int64_t cap,
+                                           int64_t* n) {
+  return read_selected(model, field, selection, dst, stride_item, stride_component, cap, n);
+}
+
+vbgpd_status vbgpd_model_read_selected_i64(const vbgpd_model* model, int32_t field, const vbgpd_selection* selection,
+                                           int64_t* dst, int64_t stride_item, int64_t stride_component, int64_t cap,
+                                           int64_t* n) {
+  return read_selected(model, field, selection, dst, stride_item, stride_component, cap, n);
 }
 
 vbgpd_status vbgpd_model_state_hash(const vbgpd_model* model, uint64_t* hash) {

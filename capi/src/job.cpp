@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "guard.h"
+#include "listener.h"
 
 namespace vbgpd::capi {
 namespace {
@@ -23,42 +24,21 @@ vbgpd_progress progress_of(const Progress& from) {
   return to;
 }
 
-// The host's progress function, called in the host's floating-point environment; what it throws stops here.
-class Listener {
- public:
-  Listener(vbgpd_progress_fn fn, void* user, const std::fenv_t& callers) : fn_(fn), user_(user), callers_(callers) {}
-
-  bool go_on(const Progress& progress) noexcept {
-    if (fn_ == nullptr) return true;
-    const vbgpd_progress told = progress_of(progress);
-    const CallersFloatEnvironment environment(callers_);
-    try {
-      return fn_(user_, &told) == 0;
-    } catch (...) {
-      threw_ = true;
-      return false;
-    }
-  }
-  bool threw() const { return threw_; }
-
- private:
-  vbgpd_progress_fn fn_;
-  void* user_;
-  const std::fenv_t& callers_;
-  bool threw_ = false;
-};
-
 // A slice. Whoever cancels between two slices, or as one begins, is heard too: the request stands until a slice obeyed
 // it.
 Status run_slice(JobObject& object, double wall_seconds, Listener& listener) {
   const auto cancelled = [&object] { return object.cancel.load(std::memory_order_relaxed); };
   Status status = Status::kCancelled;
   if (object.job->finished() || !cancelled()) {
-    status = object.job->run(wall_seconds,
-                             [&](const Progress& progress) { return listener.go_on(progress) && !cancelled(); });
+    status = object.job->run(
+        wall_seconds, [&](const Progress& progress) { return listener.go_on(progress_of(progress)) && !cancelled(); });
   }
   if (status == Status::kCancelled || object.job->finished()) object.cancel.store(false, std::memory_order_relaxed);
   return status;
+}
+
+bool found_a_mechanism(const Job& job) {
+  return job.result().status == "UNSTABLE" || !job.result().slip_surface.empty();
 }
 
 [[noreturn]] void report_divergence(const Job& job) {
@@ -69,6 +49,20 @@ Status run_slice(JobObject& object, double wall_seconds, Listener& listener) {
       job.result().reason.empty() ? "The model diverged; it is back at its last good step." : job.result().reason;
   throw Error(issue);
 }
+
+// However a slice ends: a finished job counts on its model no longer.
+class JobEnds {
+ public:
+  explicit JobEnds(JobObject& object) : object_(object) {}
+  ~JobEnds() {
+    if (object_.job->finished()) object_.end();
+  }
+  JobEnds(const JobEnds&) = delete;
+  JobEnds& operator=(const JobEnds&) = delete;
+
+ private:
+  JobObject& object_;
+};
 
 using MakeJob = std::unique_ptr<Job> (*)(Simulation&);
 
@@ -159,8 +153,13 @@ vbgpd_status vbgpd_job_run(vbgpd_job* job, double wall_seconds, vbgpd_progress_f
     require_struct(p, 5, true);
     const Inside inside(object.engine->gate);
     require(inside, 1, "model of this job");
+    if (!object.job->finished()) object.begin();
+    const bool ended_before = object.job->finished();
+    const JobEnds ends(object);
     Listener listener(fn, user, callers);
     const Status status = run_slice(object, wall_seconds, listener);
+    if (object.job->finished() && !ended_before && found_a_mechanism(*object.job))
+      object.engine->events.mechanism(*object.engine->simulation);
     fill(p, progress_of(object.job->progress()));
     if (listener.threw()) throw ArgumentError(3, Status::kInternal, "The progress function threw an exception.");
     if (status == Status::kDiverged) report_divergence(*object.job);

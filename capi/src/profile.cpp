@@ -1,7 +1,7 @@
 // Profiles: creation and the parts a profile is made of. Values are checked as a whole, by profile_check.cpp.
 #include <cmath>
 
-#include "convert.h"
+#include "arrays.h"
 #include "exchange/scene_buffer.h"
 #include "guard.h"
 #include "scene_access.h"
@@ -33,14 +33,6 @@ BoundaryKind boundary_kind(std::int32_t kind, int argument) {
   }
 }
 
-std::span<const std::uint8_t> bytes_in(const void* bytes, std::int64_t len) {
-  if (len < 0) {
-    throw ArgumentError(3, Status::kArgument, "len is " + std::to_string(len) + "; it must be the number of bytes.");
-  }
-  require_not_null(bytes, 2, "bytes");
-  return {static_cast<const std::uint8_t*>(bytes), static_cast<std::size_t>(len)};
-}
-
 }  // namespace
 }  // namespace vbgpd::capi
 
@@ -60,8 +52,15 @@ vbgpd_status vbgpd_profile_create_from_flatbuffer(vbgpd_context* context, const 
   return with(context, [&](ContextObject&) {
     require_not_null(out, 4, "out");
     auto profile = std::make_unique<ProfileObject>();
-    profile->scene = scene_from_flatbuffer(bytes_in(bytes, len));
+    profile->scene = scene_from_flatbuffer(bytes_in(bytes, len, 2));
     hand_out(std::move(profile), out);
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_profile_to_flatbuffer(const vbgpd_profile* profile, void* buf, int64_t cap, int64_t* needed) {
+  return with(profile, [&](ProfileObject& object) {
+    bytes_out(scene_to_flatbuffer(object.scene), buf, cap, needed, 2);
     return Status::kOk;
   });
 }

@@ -29,6 +29,8 @@ const char* vbgpd_status_name(vbgpd_status s) {
       return "VBGPD_E_LIMIT";
     case VBGPD_E_BUSY:
       return "VBGPD_E_BUSY";
+    case VBGPD_E_LEASED:
+      return "VBGPD_E_LEASED";
     case VBGPD_E_REENTRANT:
       return "VBGPD_E_REENTRANT";
     case VBGPD_E_STATE:

@@ -7,6 +7,7 @@
 #include "analysis/slice_job.h"
 #include "geometry/thickness.h"
 #include "scene/wording.h"
+#include "simulation/take_over.h"
 
 namespace vbgpd {
 
@@ -117,7 +118,9 @@ class StrengthReductionJob final : public SliceJob {
     options.spacing_factor = grid.spacing_factor, options.lattice_multiple = grid.multiple,
     options.coarsening = grid.coarsening;
     try {
-      return Simulation::compile(simulation_.scene(), options);
+      std::unique_ptr<Simulation> made = Simulation::compile(simulation_.scene(), options);
+      take_over(simulation_, *made);
+      return made;
     } catch (const Error& error) {
       if (!open_ || error.issue().status != Status::kLimit) throw;
       stop_ = error.issue().text;

@@ -48,7 +48,8 @@ enum class ObjectKind : std::int32_t {
   kLoad = 5,
   kBoundary = 6,
   kModel = 7,
-  kJob = 8
+  kJob = 8,
+  kState = 9
 };
 
 enum class Severity : std::int32_t { kWarning = 0, kError = 1 };

@@ -12,5 +12,6 @@ inline constexpr std::size_t kMaxTables = 2000000;   ///< points and objects tog
 inline constexpr std::size_t kMaxTextBytes = 65536;  ///< of one name or source
 inline constexpr std::size_t kMaxAllTextBytes = std::size_t{16}
                                                 << 20;  ///< together: a buffer may point at one text many times
+inline constexpr std::size_t kMaxCheckpointBytes = (std::size_t{1} << 31) - (std::size_t{1} << 20);
 
 }  // namespace vbgpd

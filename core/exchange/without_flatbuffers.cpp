@@ -1,5 +1,6 @@
 // The build without flatbuffers: scenes are made by calls.
 #include "base/error.h"
+#include "exchange/checkpoint.h"
 #include "exchange/scene_buffer.h"
 
 namespace vbgpd {
@@ -16,6 +17,8 @@ namespace {
 
 SceneDef scene_from_flatbuffer(std::span<const std::uint8_t>) { unsupported(); }
 std::vector<std::uint8_t> scene_to_flatbuffer(const SceneDef&) { unsupported(); }
+std::vector<std::uint8_t> checkpoint_to_bytes(const Checkpoint&) { unsupported(); }
+Checkpoint checkpoint_from_bytes(std::span<const std::uint8_t>) { unsupported(); }
 bool reads_flatbuffers() noexcept { return false; }
 
 }  // namespace vbgpd

@@ -107,11 +107,8 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
     const Seed& seed = section.seeds[k];
     const auto i = static_cast<std::size_t>(m.storage_of[k]);
     const MaterialDef& d = scene.materials[static_cast<std::size_t>(seed.material)];
-    const Real weight = d.unit_weight * seed.volume;
     const Real inertial = d.unit_weight > least ? d.unit_weight : m.stress_scale / m.height;
     m.mass[i] = inertial * seed.volume / scene.gravity;
-    m.force_x[i] = scene.kh * weight;
-    m.force_y[i] = -(1 + scene.kv) * weight;
     if (seed.hold == Hold::kFree) soil += seed.volume, compliance += seed.volume / d.young_modulus;
     if (m.features.cohesion_gradient && d.cohesion_gradient > 0) {
       const Real y = section.lattice.center(seed.ix, seed.iy).y();
@@ -127,9 +124,7 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
       GuidedParticle g;
       g.particle = m.storage_of[k];
       g.prescribed = seed.hold == Hold::kVelocity ? 1 : 0;
-      const BoundaryDef& b = section.boundaries[static_cast<std::size_t>(seed.boundary)];
-      g.x = g.prescribed != 0 ? b.vx : seed.normal.x();
-      g.y = g.prescribed != 0 ? b.vy : seed.normal.y();
+      g.x = seed.normal.x(), g.y = seed.normal.y();  // of the prescribed ones apply_drive says more
       m.guided.push_back(g);
     }
   }
@@ -158,6 +153,40 @@ std::vector<LawConstants> pair_constants(const Model& m, Real factor, bool elast
   return constants;
 }
 
+Drive scene_drive(const SceneDef& scene, const Section& section) {
+  Drive drive{scene.kh, scene.kv, scene.loads, {}};
+  for (LoadDef& load : drive.loads)
+    if (std::isnan(load.pressure_end)) load.pressure_end = load.pressure;
+  for (const BoundaryDef& b : section.boundaries) drive.velocities.emplace_back(b.vx, b.vy);
+  return drive;
+}
+
+void apply_drive(const SceneDef& scene, const Section& section, const Drive& drive, Model& m) {
+  m.force_x.fill_zero(), m.force_y.fill_zero();
+  for (std::size_t k = 0; k < section.seeds.size(); ++k) {
+    const Seed& seed = section.seeds[k];
+    const auto i = static_cast<std::size_t>(m.storage_of[k]);
+    const Real weight = scene.materials[static_cast<std::size_t>(seed.material)].unit_weight * seed.volume;
+    m.force_x[i] = drive.kh * weight;
+    m.force_y[i] = -(1 + drive.kv) * weight;
+  }
+  add_surface_loads(drive.loads, section, m);
+  for (GuidedParticle& g : m.guided) {
+    if (g.prescribed == 0) continue;
+    const Seed& seed = section.seeds[static_cast<std::size_t>(m.seed_of[static_cast<std::size_t>(g.particle)])];
+    const Vec2& velocity = drive.velocities[static_cast<std::size_t>(seed.boundary)];
+    g.x = velocity.x(), g.y = velocity.y();
+  }
+}
+
+void measure_forces(Model& m) {
+  m.force_scale = 0;
+  for (std::int64_t i = 0; i < m.storage; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    m.force_scale += std::fabs(m.force_x[n]) * m.free_x[n] + std::fabs(m.force_y[n]) * m.free_y[n];
+  }
+}
+
 Model build_model(const SceneDef& scene, const Section& section, int width) {
   Model m;
   m.width = width;
@@ -167,11 +196,8 @@ Model build_model(const SceneDef& scene, const Section& section, int width) {
   const Real h = scene.smoothing_ratio * std::sqrt(section.lattice.spacing.x() * section.lattice.spacing.y());
   build_packs(section, *kernel_by_name(scene.kernel), h, m);
   build_masses(scene, section, m);
-  add_surface_loads(scene, section, m);
-  for (std::int64_t i = 0; i < m.storage; ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    m.force_scale += std::fabs(m.force_x[n]) * m.free_x[n] + std::fabs(m.force_y[n]) * m.free_y[n];
-  }
+  apply_drive(scene, section, scene_drive(scene, section), m);
+  measure_forces(m);
   m.neighbours.shrink_to_fit(), m.packs.shrink_to_fit(), m.blocks.shrink_to_fit(), m.guided.shrink_to_fit();
   return m;
 }

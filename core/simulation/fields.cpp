@@ -1,4 +1,4 @@
-// The tables of output fields and named numbers. To add a field: a line here and a case in simulation.cpp's read.
+// The tables of output fields and named numbers. To add a field: a line here and a case in read_fields.cpp.
 #include <array>
 #include <limits>
 
@@ -20,12 +20,16 @@ constexpr FieldInfo kFields[] = {
     {"reference_position", "m", "position x, y in the undeformed section (centre of the lattice cell)", kParticle,
      kReal, 2},
     {"displacement", "m", "displacement x, y since creation", kParticle, kReal, 2},
-    {"velocity", "m s-1", "velocity x, y (per pseudo-time after a quasi-static job)", kParticle, kReal, 2},
-    {"stress", "Pa", "Cauchy stress xx, yy, zz, xy, tension positive", kParticle, kReal, 4},
+    {"velocity", "m s-1", "velocity x, y (per pseudo-time after a quasi-static job)", kParticle, kReal, 2, true},
+    {"stress", "Pa", "Cauchy stress xx, yy, zz, xy, tension positive; effective where there is pore pressure",
+     kParticle, kReal, 4},
     {"plastic_strain", "1", "engineering plastic shear strain sqrt(2 e:e), average of the bonds", kParticle, kReal, 1},
     {"plastic_bond_fraction", "1", "share of the bonds that have yielded", kParticle, kReal, 1},
     {"volume", "m2", "soil area of the particle, per metre run a volume", kParticle, kReal, 1},
     {"mass", "kg", "mass per metre run", kParticle, kReal, 1},
+    {"pore_pressure", "Pa", "of the water, compression positive; total stress = stress - pore_pressure", kParticle,
+     kReal, 1, true},
+    {"external_force", "N", "force x, y set from outside, per metre run", kParticle, kReal, 2, true},
     {"material", "1", "index of the material", kParticle, kInteger, 1},
     {"boundary", "1", "index of the boundary that holds a wall particle, -1 = soil", kParticle, kInteger, 1},
     {"particle_id", "1", "stable id, soil first", kParticle, kInteger, 1},
@@ -40,6 +44,10 @@ constexpr NamedValue kValues[] = {
     {"time_step_factor", "1", "dynamic time step over the stable one; above 1 a run diverges, which is noticed",
      kDefaultTimeStepFactor, 1e-6, 4, false, true},
     {"strength_reduction_factor", "1", "F by which c and tan phi are divided", 1, 1e-3, 1e3, false, true},
+    {"kh", "1", "pseudo-static coefficient: body force kh * unit weight towards +x; at first that of the profile", 0,
+     -1, 1, true, true},
+    {"kv", "1", "pseudo-static coefficient: body force kv * unit weight downwards; at first that of the profile", 0, -1,
+     1, true, true},
     {"time", "s", "simulated time", 0, 0, kInf, false, false},
     {"steps", "1", "dynamic steps done", 0, 0, kInf, false, false},
     {"time_step", "s", "time step of dynamic stepping", kNan, 0, kInf, false, false},
@@ -61,8 +69,9 @@ constexpr NamedValue kValues[] = {
     {"elastic_energy", "J", "per metre run", 0, 0, kInf, false, false},
     {"plastic_dissipation", "J", "by dynamic steps, per metre run", 0, 0, kInf, false, false},
     {"damping_dissipation", "J", "by dynamic steps, per metre run", 0, 0, kInf, false, false},
-    {"external_work", "J", "of weight, seismic force and loads in dynamic steps, per metre run", 0, -kInf, kInf, false,
-     false},
+    {"external_work", "J",
+     "of weight, seismic force, loads, pore water and external forces in dynamic steps, per metre run", 0, -kInf, kInf,
+     false, false},
     {"energy_residual", "1",
      "external work - kinetic - elastic - dissipated, relative to the largest of them (velocities brought to the time "
      "of the displacements)",

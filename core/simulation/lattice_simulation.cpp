@@ -10,17 +10,21 @@ namespace vbgpd {
 
 namespace {
 
-struct LatticeSaved final : SavedState {
-  State state;
-  Real factor = 1, time = 0;
-  std::int64_t steps = 0, since_restart = 0;
-};
-
 /// Fraction of 2 / omega_max that is used. A relaxation step right after a restart is plain descent, stable below
 /// 1/sqrt(2); what the power iteration may still miss of omega_max comes off that.
 constexpr Real kStepMargin = 0.68;
 
 }  // namespace
+
+struct LatticeSimulation::Saved final : SavedState {
+  State state;
+  Real factor = 1, time = 0, last_time_step = 0;
+  std::int64_t steps = 0, since_restart = 0;
+  Ledger ledger;
+  Drive drive;
+  Outside outside;
+  std::uint64_t force_version = 0;
+};
 
 LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions& options, const Kernels& kernels)
     : scene_(scene), options_(options), kernels_(kernels), workers_(options.threads) {
@@ -28,6 +32,7 @@ LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions
   if (options.coarsening > 1) lattice = coarsened(lattice, options.coarsening);
   section_ = discretise(scene, lattice, support_reach(scene), options.max_particles);
   model_ = build_model(scene_, section_, kernels.width);
+  drive_ = scene_drive(scene_, section_);
   state_.allocate(model_);
   scratch_.allocate(model_);
   partial_.resize(model_.chunks.size());
@@ -36,10 +41,12 @@ LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions
   elastic_constants_ = pair_constants(model_, 1, true);
 }
 
-void LatticeSimulation::set_factor(Real factor) {
+void LatticeSimulation::set_factor(Real factor) { take_constants(factor, pair_constants(model_, factor, false)); }
+
+void LatticeSimulation::take_constants(Real factor, std::vector<LawConstants> constants) {
   factor_ = factor;
   audit_.valid = false;
-  constants_ = pair_constants(model_, factor_, false);
+  constants_ = std::move(constants);
   if (!model_.features.volumetric_plastic) return;
   if (!dilation_cap_.present()) dilation_cap_.allocate(static_cast<std::size_t>(model_.storage), 12);
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_.storage); ++i) {
@@ -166,59 +173,11 @@ Sums LatticeSimulation::evaluate() const {
 Real LatticeSimulation::half_step_work() const {
   probe_ = state_;
   Controls c = evaluation_controls();
-  c.time_step = dynamic_time_step();
+  c.time_step = last_time_step_ > 0 ? last_time_step_ : dynamic_time_step();
   c.ledger = true;
   Sums sums;
   run_step(probe_, scratch_, c, sums);
   return sums.internal_work / 2;
-}
-
-StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* cancel) {
-  StepReport report;
-  const Workers::Session session(workers_);
-  if (!dynamic_mobility_x_.present()) set_mobility(model_.mass, dynamic_mobility_x_, dynamic_mobility_y_);
-  Controls c;
-  c.time_step = dynamic_time_step();
-  c.local_damping = damping_;
-  c.mobility_x = dynamic_mobility_x_.data(), c.mobility_y = dynamic_mobility_y_.data();
-  c.constants = constants_.data();
-  c.dilation_cap = dilation_cap_.data();
-  c.cohesion_scale = 1 / factor_;
-  c.ledger = true;
-  // A particle that outruns the waves has left the method; the state of at most kKeep steps before is the last good
-  // one.
-  constexpr std::int64_t kKeep = 64;
-  const Real runaway = 4 / (c.time_step * c.time_step) * section_.lattice.spacing.squaredNorm();
-  State kept = state_;
-  Ledger kept_ledger = ledger_;
-  std::int64_t kept_at = 0;
-  const std::int64_t steps_before = steps_;
-  if (!audit_.valid) begin_audit();
-  for (std::int64_t n = 0; n < steps; ++n) {
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) {
-      report.status = Status::kCancelled;
-      return report;
-    }
-    if (n - kept_at >= kKeep) kept = state_, kept_ledger = ledger_, kept_at = n;
-    Sums sums;
-    run_step(state_, scratch_, c, sums);
-    if (!(sums.velocity2 < runaway)) {
-      state_ = kept, ledger_ = kept_ledger;
-      steps_ -= n - kept_at, time_ -= static_cast<Real>(n - kept_at) * c.time_step;
-      report.steps = kept_at;
-      report.status = Status::kDiverged;
-      return report;
-    }
-    ledger_.external += sums.external_work, ledger_.damping -= sums.damping_work, ledger_.plastic += sums.plastic_work;
-    ++steps_, ++report.steps;
-    time_ += c.time_step;
-    if (!passes_audit()) {
-      report.steps = std::max<std::int64_t>(0, steps_ - steps_before);
-      report.status = Status::kDiverged;
-      return report;
-    }
-  }
-  return report;
 }
 
 Monitors LatticeSimulation::monitors() const {
@@ -281,21 +240,31 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
 }
 
 std::shared_ptr<SavedState> LatticeSimulation::save() const {
-  auto saved = std::make_shared<LatticeSaved>();
+  auto saved = std::make_shared<Saved>();
   saved->state = state_;
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->since_restart = since_restart_;
+  saved->last_time_step = last_time_step_, saved->ledger = ledger_;
+  saved->drive = drive_, saved->outside = outside_, saved->force_version = force_version_;
   return saved;
 }
 
 void LatticeSimulation::restore(const SavedState& other) {
-  const auto& saved = dynamic_cast<const LatticeSaved&>(other);
+  const auto& saved = dynamic_cast<const Saved&>(other);
+  std::vector<LawConstants> constants = pair_constants(model_, saved.factor, false);
+  if (saved.force_version != force_version_) {
+    take_forces(saved.drive, saved.outside);
+    force_version_ = saved.force_version;
+  }
+  take_constants(saved.factor, std::move(constants));
   state_ = saved.state;
-  set_factor(saved.factor);
   time_ = saved.time, steps_ = saved.steps, since_restart_ = saved.since_restart;
+  last_time_step_ = saved.last_time_step, ledger_ = saved.ledger;
 }
 
 std::size_t LatticeSimulation::bytes() const {
-  std::size_t sum = model_.bytes() + state_.bytes() + scratch_.bytes() + probe_.bytes() + audit_.state.bytes();
+  std::size_t sum = model_.bytes() + state_.bytes() + scratch_.bytes() + probe_.bytes() + audit_.state.bytes() +
+                    outside_.external_x.bytes() + outside_.external_y.bytes() + outside_.pore_pressure.bytes() +
+                    storage_ids_.capacity() * sizeof(std::int64_t);
   for (const Array* a : {&zero_, &dilation_cap_, &dynamic_mobility_x_, &dynamic_mobility_y_, &relaxing_mobility_x_,
                          &relaxing_mobility_y_})
     sum += a->bytes();
@@ -322,6 +291,11 @@ void LatticeSimulation::set(std::string_view name, double value) {
     if (name == "damping") damping_ = value;
     if (name == "time_step_factor") time_step_factor_ = value;
     if (name == "strength_reduction_factor") set_factor(value);
+    if (name == "kh" || name == "kv") {
+      Drive changed = drive_;
+      (name == "kh" ? changed.kh : changed.kv) = value;
+      set_drive(changed);
+    }
     return;
   }
   throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
@@ -331,6 +305,8 @@ double LatticeSimulation::get(std::string_view name) const {
   if (name == "damping") return damping_;
   if (name == "time_step_factor") return time_step_factor_;
   if (name == "strength_reduction_factor") return factor_;
+  if (name == "kh") return drive_.kh;
+  if (name == "kv") return drive_.kv;
   if (name == "time") return time_;
   if (name == "steps") return static_cast<double>(steps_);
   if (name == "time_step") return dynamic_time_step();

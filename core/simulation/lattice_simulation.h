@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "simulation/observe.h"
+#include "simulation/outside.h"
 #include "simulation/simulation.h"
 #include "state/model.h"
 #include "step/kernels.h"
@@ -33,6 +34,14 @@ class LatticeSimulation final : public Simulation {
   void read(int field, std::vector<std::int64_t>& out) const override;
   std::uint64_t state_hash() const override { return state_.hash(); }
   std::vector<Feature> plan() const override;
+  StepReport advance_to(double time, const StepWatch& watch) override;
+  void write(int field, const std::vector<double>& rows) override;
+  const Drive& drive() const override { return drive_; }
+  void set_drive(const Drive& drive) override;
+  Vec2 boundary_reaction(std::size_t boundary) const override;
+  FieldView view(int field) const override;
+  StateImage image() const override;
+  void restore_image(const StateImage& image) override;
 
   const Model& model() const { return model_; }
   State& state() {
@@ -57,6 +66,16 @@ class LatticeSimulation final : public Simulation {
     std::int64_t steps = 0;
   };
   std::size_t bytes() const;
+  struct Saved;
+  /// Where a run of dynamic steps ends: after so many, or exactly at a time.
+  struct Goal {
+    std::int64_t steps;
+    Real time;
+  };
+  StepReport march(const Goal& goal, const StepWatch& watch);
+  /// Forces of a drive and from outside, anew; when memory runs out, as before.
+  void take_forces(Drive drive, Outside outside);
+  void write_velocity(const std::vector<double>& rows);
   StepData data(State& state, Scratch& scratch) const;
   void run_step(State& state, Scratch& scratch, const Controls& controls, Sums& sums) const;
   /// Highest natural frequency with the given masses: power iteration on the elastic operator.
@@ -64,6 +83,8 @@ class LatticeSimulation final : public Simulation {
   void set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const;
   Real dynamic_time_step() const;
   void set_factor(Real factor);
+  /// Material constants already made for that factor.
+  void take_constants(Real factor, std::vector<LawConstants> constants);
   Controls evaluation_controls() const;
   /// Brings scratch up to date with the state without moving anything; returns the unbalanced force ratio.
   Sums evaluate() const;
@@ -97,6 +118,11 @@ class LatticeSimulation final : public Simulation {
   std::int64_t steps_ = 0, since_restart_ = 0;
   Ledger ledger_;
   Audit audit_;
+  Real last_time_step_ = 0;  ///< of the last dynamic step, 0 = none yet
+  Drive drive_;
+  Outside outside_;
+  std::uint64_t force_version_ = 0, newest_force_version_ = 0;  ///< which forces hold; every change makes a new one
+  mutable std::vector<std::int64_t> storage_ids_;               ///< particle ids in storage order, for views
 };
 
 }  // namespace vbgpd

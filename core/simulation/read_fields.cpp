@@ -43,6 +43,11 @@ void LatticeSimulation::read_particles(int field, std::vector<double>& out) cons
     if (name == "plastic_bond_fraction") row[0] = averages.plastic_fraction[i];
     if (name == "volume") row[0] = seed.volume;
     if (name == "mass") row[0] = model_.mass[i];
+    if (name == "pore_pressure" && outside_.pore_pressure.present()) row[0] = outside_.pore_pressure[i];
+    if (name == "external_force") {
+      if (outside_.external_x.present()) row[0] = outside_.external_x[i];
+      if (outside_.external_y.present()) row[1] = outside_.external_y[i];
+    }
   }
 }
 

@@ -4,11 +4,13 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "base/state_image.h"
 #include "geometry/section.h"
 #include "scene/scene_def.h"
 #include "simulation/plan.h"
@@ -26,6 +28,7 @@ struct FieldInfo {
   Location location;
   FieldType type;
   int components;
+  bool writable = false;  ///< Simulation::write takes it
 };
 std::span<const FieldInfo> fields();
 int find_field(std::string_view name);  ///< -1 = no such field
@@ -56,6 +59,23 @@ struct CompileOptions {
 struct StepReport {
   std::int64_t steps = 0;
   Status status = Status::kOk;  ///< kOk, kCancelled or kDiverged (then the state is that of the last good step)
+};
+
+/// Asked between two steps of a long run: kOk = go on; kCancelled and kLimitReached end it there.
+using StepWatch = std::function<Status()>;
+
+/// What drives the soil: at first as the scene says, then as set from outside.
+struct Drive {
+  double kh = 0, kv = 0;         ///< pseudo-static coefficients
+  std::vector<LoadDef> loads;    ///< pressures on the ground; where they act is fixed
+  std::vector<Vec2> velocities;  ///< m/s, of every boundary (used by those of kind velocity)
+};
+
+/// An array as it is stored, padding included: item i, component c lies at data + i*stride_item + c*stride_component
+/// bytes.
+struct FieldView {
+  const void* data = nullptr;
+  std::int64_t count = 0, stride_item = 0, stride_component = 0;
 };
 
 /// Monitors of the present state.
@@ -127,6 +147,25 @@ class Simulation {
 
   /// Every feature as used or left out; their bytes add up to "bytes". By default all of them in one entry.
   virtual std::vector<Feature> plan() const;
+
+  // Coupling; a kind of simulation that cannot do one of these throws Error(kUnsupported).
+
+  /// Dynamic steps of equal length that end exactly at `time`, however often the watch interrupts them.
+  virtual StepReport advance_to(double time, const StepWatch& watch);
+  /// All items of a writable field, packed rows by particle id. Forces and pressures stay until written again.
+  virtual void write(int field, const std::vector<double>& rows);
+  virtual const Drive& drive() const;
+  virtual void set_drive(const Drive& drive);
+  /// Force of the wall particles of a boundary on the soil, N per metre run.
+  virtual Vec2 boundary_reaction(std::size_t boundary) const;
+  /// A field in storage order; "particle_id" tells which particle an item is, -1 = padding.
+  virtual FieldView view(int field) const;
+  /// Grows whenever particles are added, removed or stored in another order.
+  virtual std::int64_t epoch() const { return 0; }
+  /// A saved instant as plain data, for another process or machine. restore_image checks all of it before it changes
+  /// anything.
+  virtual StateImage image() const;
+  virtual void restore_image(const StateImage& image);
 };
 
 }  // namespace vbgpd

@@ -39,12 +39,12 @@ Real ground_level(const std::vector<Point>& ground, Real x) {
 
 }  // namespace
 
-void add_surface_loads(const SceneDef& scene, const Section& section, Model& m) {
-  if (scene.loads.empty()) return;
+void add_surface_loads(const std::vector<LoadDef>& loads, const Section& section, Model& m) {
+  if (loads.empty()) return;
   const std::vector<Real> area = normal_areas(m);
   const Real dx = section.lattice.spacing.x(), dy = section.lattice.spacing.y();
   const Real depth = 3.5 * dy;  // the rows a support of 2.6 spacings can miss
-  for (const LoadDef& load : scene.loads) {
+  for (const LoadDef& load : loads) {
     const Real end = std::isnan(load.pressure_end) ? load.pressure : load.pressure_end;
     const auto pressure = [&](Real x) {
       return load.pressure + (end - load.pressure) * std::clamp((x - load.x0) / (load.x1 - load.x0), 0.0, 1.0);

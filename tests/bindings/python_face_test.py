@@ -112,6 +112,50 @@ class PythonFace(unittest.TestCase):
             with self.assertRaises(ValueError):
                 model.field("position", wrong)
 
+    def test_views_keep_their_lease_until_the_last_array_is_gone(self):
+        model = vbgpd.Model(self.context, make_profile(self.context))
+        model.step(3)
+        with model.view("displacement") as view, model.view("particle_id") as ids:
+            by_id = numpy.empty((model.item_count(vbgpd.Location.PARTICLE), 2))
+            soil = ids.array >= 0
+            by_id[ids.array[soil]] = view.array[soil]
+            self.assertTrue((by_id == model.field("displacement")).all())
+            kept = view.array[:, 1]
+            with self.assertRaises(ValueError):
+                kept[0] = 1
+        with self.assertRaises(ValueError):
+            view.array
+        for call in (lambda: model.step(1), model.close):
+            with self.assertRaises(vbgpd.Error) as caught:
+                call()
+            self.assertEqual(caught.exception.status, vbgpd.Status.E_LEASED)
+        del kept
+        model.step(1)
+        model.close()
+
+    def test_ctrl_c_stops_an_advance_that_can_be_continued(self):
+        model = vbgpd.Model(self.context, make_profile(self.context, 0.25))
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            model.advance_to(1e6)
+        reached = model.get("time")
+        self.assertEqual(model.advance_to(reached + 0.01)[0], vbgpd.Status.OK)
+        self.assertEqual(model.get("time"), reached + 0.01)
+
+    def test_values_of_every_layout_are_written_alike(self):
+        model = vbgpd.Model(self.context, make_profile(self.context))
+        n = model.item_count(vbgpd.Location.PARTICLE)
+        forces = numpy.random.default_rng(1).normal(size=(n, 2))
+        wide = numpy.zeros((n, 5))
+        wide[:, 1:3] = forces
+        for layout in (forces, numpy.asfortranarray(forces), wide[:, 1:3], forces[::-1].copy()[::-1], forces.tolist()):
+            model.write("external_force", numpy.zeros((n, 2)))
+            model.write("external_force", layout)
+            self.assertTrue((model.field("external_force") == forces).all())
+        with self.assertRaises(vbgpd.Error):
+            model.write("external_force", forces[:-1])
+
     def test_names_that_do_not_exist_are_errors(self):
         model = vbgpd.Model(self.context, make_profile(self.context))
         for call in (lambda: model.field("presure"), lambda: model.get("presure"), lambda: vbgpd.field("x", LIBRARY)):

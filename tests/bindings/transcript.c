@@ -75,8 +75,8 @@ static void step_tables(void) {
     vbgpd_field_info f = {.struct_size = sizeof f};
     vbgpd_field_info_at(i, &f);
     vbgpd_field_find(f.name, VBGPD_STRLEN, &found);
-    printf("04 field %d %s [%s] type %d at %d of %d: %s\n", found, f.name, f.unit, f.type, f.location, f.components,
-           f.doc);
+    printf("04 field %d %s [%s] type %d at %d of %d writable %d: %s\n", found, f.name, f.unit, f.type, f.location,
+           f.components, f.writable, f.doc);
   }
 }
 
@@ -313,6 +313,150 @@ static void step_strength_reduction(vbgpd_model* model, vbgpd_job* job) {
   printf("26 slip surface %d %" PRId64 " %016" PRIX64 "\n", s, n, checksum(xy, 2 * n));
 }
 
+static int32_t field_of(const char* name) {
+  int32_t field = -1;
+  vbgpd_field_find(name, VBGPD_STRLEN, &field);
+  return field;
+}
+
+static void say_advance(const char* what, vbgpd_model* model, double time) {
+  vbgpd_advance_result r = {.struct_size = sizeof r};
+  vbgpd_status s = vbgpd_model_advance_to(model, time, 0, NULL, NULL, &r);
+  printf("%s %d %" PRId64 " %s %s", what, s, r.steps, hex(r.time), hex(r.time_step));
+  say_hash(model);
+}
+
+static void step_states(vbgpd_model* model) {
+  /* 2 columns of 3 values, the water table at the level of the toe */
+  const double water[] = {50e3, 50e3, 0, 0, -50e3, -50e3};
+  vbgpd_state* state = NULL;
+  int32_t pore = field_of("pore_pressure");
+  int64_t epoch = -1;
+  say_advance("28 advanced", model, 0.03125);
+  printf("29 saved %d", vbgpd_model_save_state(model, &state));
+  printf(" again %d, ", vbgpd_model_save_state(model, &state));
+  printf("water %d\n", vbgpd_model_write_grid(model, pore, 0, 0, 40, 5, 2, 3, water, 0));
+  say_advance("   with water", model, 0.0625);
+  printf("   back %d", vbgpd_model_restore_state(model, state));
+  say_hash(model);
+  say_advance("   without", model, 0.0625);
+  vbgpd_model_epoch(model, &epoch);
+  printf("   epoch %" PRId64 ", destroyed %d, backwards: ", epoch, vbgpd_state_destroy(state));
+  MODEL_FAILED(vbgpd_model_advance_to(model, 0, 0, NULL, NULL, NULL));
+}
+
+static void step_selections(vbgpd_model* model) {
+  const double corners[] = {10, 2, 30, 2, 30, 8, 10, 8};
+  vbgpd_selection soil = {.struct_size = sizeof soil, .kind = VBGPD_SELECT_SOIL};
+  vbgpd_selection part = {
+      .struct_size = sizeof part, .kind = VBGPD_SELECT_POLYGON, .xy = corners, .xy_stride = 16, .n_points = 4};
+  int64_t n = -1, ids[SIZE];
+  double values[2 * SIZE];
+  vbgpd_status s = vbgpd_model_select(model, &soil, ids, 8, SIZE, &n);
+  printf("30 soil %d %" PRId64 " %016" PRIX64, s, n, checksum(ids, n));
+  s = vbgpd_model_select(model, &part, ids, 8, SIZE, &n);
+  printf(" polygon %d %" PRId64 " %016" PRIX64, s, n, checksum(ids, n));
+  s = vbgpd_model_read_selected_f64(model, field_of("displacement"), &part, values, 0, 0, SIZE, &n);
+  printf(" displacement %d %" PRId64 " %016" PRIX64, s, n, checksum(values, 2 * n));
+  s = vbgpd_model_read_selected_i64(model, field_of("material"), &part, ids, 0, 0, SIZE, &n);
+  printf(" material %d %" PRId64 " %016" PRIX64 "\n", s, n, checksum(ids, n));
+}
+
+static void step_samples(vbgpd_model* model) {
+  const double places[] = {5, 5, 20, 4, 20, 14};
+  const int32_t stress = field_of("stress");
+  double values[4 * 12], ground[2 * SIZE], worst = 0;
+  int64_t inside[12], n = -1, i, c;
+  vbgpd_view view = {.struct_size = sizeof view};
+  vbgpd_status s = vbgpd_model_sample_points(model, stress, places, 16, 3, values, 0, 0, inside, 0);
+  printf("31 points %d %016" PRIX64 " %016" PRIX64, s, checksum(values, 4 * 2), checksum(inside, 3));
+  s = vbgpd_model_sample_line(model, stress, 2, 1, 12, 11, 6, values, 0, 0, inside, 0);
+  printf(" line %d %016" PRIX64, s, checksum(values, 4 * 6));
+  s = vbgpd_model_sample_grid(model, field_of("plastic_strain"), 1, 1, 3, 1, 4, 3, values, 0, 0, inside, 0);
+  printf(" grid %d %016" PRIX64 " %016" PRIX64, s, checksum(values, 12), checksum(inside, 12));
+  s = vbgpd_model_ground_surface(model, ground, 16, SIZE, &n);
+  printf(" ground %d %" PRId64 " %016" PRIX64 "\n", s, n, checksum(ground, 2 * n));
+  s = vbgpd_model_view_acquire(model, field_of("displacement"), &view);
+  for (i = 0; i < view.count; ++i)
+    for (c = 0; c < 2; ++c) {
+      double u;
+      memcpy(&u, (const char*)view.data + i * view.stride_item + c * view.stride_component, 8);
+      if (u < worst) worst = u;
+    }
+  printf("   view %d %s, held: ", s, hex(worst));
+  MODEL_FAILED(vbgpd_model_step(model, 1, NULL));
+  printf("   released %d\n", vbgpd_model_view_release(model, view.lease));
+}
+
+static void step_outside(vbgpd_model* model) {
+  const double places[] = {0, 0, 40, 0, 0, 15}, pressures[] = {60e3, 20e3, -10e3}, push[] = {-1e3, 2e3};
+  const int64_t id = 3;
+  vbgpd_selection one = {.struct_size = sizeof one, .kind = VBGPD_SELECT_IDS, .ids = &id, .ids_stride = 8, .n_ids = 1};
+  double fx = 0, fy = 0;
+  int64_t b;
+  vbgpd_status s[4];
+  s[0] = vbgpd_model_write_points(model, field_of("pore_pressure"), places, 16, pressures, 0, 0, 3);
+  s[1] = vbgpd_model_write_f64(model, field_of("external_force"), &one, push, 0, 0, 1);
+  s[2] = vbgpd_model_set_load(model, 0, 7e3, 9e3);
+  s[3] = vbgpd_model_set_f64(model, "kh", 2, 0.0625);
+  printf("32 from outside %d %d %d %d, a fixed boundary: ", s[0], s[1], s[2], s[3]);
+  MODEL_FAILED(vbgpd_model_set_boundary_velocity(model, 0, 1, 0));
+  say_advance("   then", model, 0.09375);
+  for (b = 0; b < 3; ++b) {
+    s[0] = vbgpd_model_boundary_reaction(model, b, &fx, &fy);
+    printf("   reaction %d %s %s\n", s[0], hex(fx), hex(fy));
+  }
+}
+
+static void step_events(vbgpd_model* model) {
+  vbgpd_event e[8] = {{.struct_size = sizeof e[0]}};
+  int64_t n = -1, i;
+  vbgpd_status s = vbgpd_model_events_read(model, 0, e, sizeof e[0], 8, &n, NULL);
+  printf("   events %d", s);
+  for (i = 0; i < n; ++i)
+    printf(" %d %" PRId64 " %" PRId64 " %s %" PRId64 " %" PRId64 " %s %s %s", e[i].kind, e[i].sequence, e[i].step,
+           hex(e[i].time), e[i].id_a, e[i].id_b, hex(e[i].x), hex(e[i].y), hex(e[i].value));
+  printf("\n");
+}
+
+static void step_checkpoint(vbgpd_context* context, vbgpd_profile* profile, vbgpd_model* model) {
+  vbgpd_model* other = NULL;
+  int64_t size = -1, scene = -1;
+  char* bytes;
+  vbgpd_status s;
+  vbgpd_model_checkpoint(model, NULL, 0, &size);
+  bytes = malloc((size_t)size);
+  s = vbgpd_model_checkpoint(model, bytes, size, &size);
+  printf("33 checkpoint %d %" PRId64, s, size);
+  s = vbgpd_model_create_from_checkpoint(context, bytes, size, &other);
+  printf(" made %d", s);
+  say_hash(other);
+  say_advance("   both", model, 0.125);
+  say_advance("   both", other, 0.125);
+  s = vbgpd_model_restore_checkpoint(model, bytes, size);
+  printf("   back %d", s);
+  say_hash(model);
+  printf("   cut short: ");
+  MODEL_FAILED(vbgpd_model_restore_checkpoint(model, bytes, size / 2));
+  vbgpd_model_destroy(other);
+  free(bytes);
+  s = vbgpd_profile_to_flatbuffer(profile, NULL, 0, &scene);
+  printf("   profile %d %" PRId64 "\n", s, scene);
+}
+
+static void step_coupling(vbgpd_context* context, vbgpd_profile* profile) {
+  vbgpd_model* model = NULL;
+  vbgpd_profile_set_f64(profile, VBGPD_OBJECT_PROFILE, 0, "spacing", 7, 1.25);
+  vbgpd_model_create(context, profile, &model);
+  step_states(model);
+  step_selections(model);
+  step_samples(model);
+  step_outside(model);
+  step_events(model);
+  step_checkpoint(context, profile, model);
+  vbgpd_model_destroy(model);
+}
+
 int main(void) {
   static const char* const sizes[] = {"particles", "bonds", "area", "height", "total_mass", "spacing_x", "spacing_y"};
   vbgpd_context_desc desc;
@@ -347,15 +491,16 @@ int main(void) {
   vbgpd_job_create_strength_reduction(model, &job);
   step_strength_reduction(model, job);
   step_progress(context, profile);
+  step_coupling(context, profile);
   /* Parents first; the job still answers. A destroyed handle is known as such, NULL may be destroyed. */
   s = vbgpd_profile_destroy(profile);
-  printf("28 destroyed %d %d", s, vbgpd_profile_count(profile, VBGPD_OBJECT_LAYER, &n));
+  printf("34 destroyed %d %d", s, vbgpd_profile_count(profile, VBGPD_OBJECT_LAYER, &n));
   printf(" NULL %d %d %d", vbgpd_model_item_count(NULL, VBGPD_AT_BOND, &n), vbgpd_job_get_f64(NULL, "steps", 5, &value),
          vbgpd_profile_destroy(NULL));
   printf(" foreign %d\n", vbgpd_model_item_count((vbgpd_model*)context, VBGPD_AT_BOND, &n));
   s = vbgpd_context_destroy(context);
   t = vbgpd_model_destroy(model);
-  printf("29 destroyed %d %d, job still has", s, t);
+  printf("35 destroyed %d %d, job still has", s, t);
   say_job_numbers(job, (const char* const[]){"factor_of_safety"}, 1);
   printf(" %d\n", vbgpd_job_destroy(job));
   return 0;

@@ -169,7 +169,7 @@ contains
       s = vbgpd_field_find(name, len(name, c_int64_t), found)
       call say("04 field " // num32(found) // " " // name // " [" // vbgpd_text(f%unit) // "] type " // &
                num32(f%type) // " at " // num32(f%location) // &
-               " of " // num32(f%components) // ": " // vbgpd_text(f%doc))
+               " of " // num32(f%components) // " writable " // num32(f%writable) // ": " // vbgpd_text(f%doc))
     end do
   end subroutine step_tables
 
@@ -461,6 +461,170 @@ contains
     call say("cancelled " // num32(s))
   end subroutine step_progress
 
+  subroutine say_advance(what, model, time)
+    character(*), intent(in) :: what
+    type(vbgpd_model), intent(in) :: model
+    real(c_double), intent(in) :: time
+    type(vbgpd_advance_result) :: r
+    integer(c_int32_t) :: s
+    call model%advance_to(time, report=r, stat=s)
+    call begin(what // " " // num32(s) // " " // num(r%steps) // hexes([r%time, r%time_step]))
+    call say_hash(model)
+  end subroutine say_advance
+
+  subroutine step_states(model)
+    type(vbgpd_model), intent(in) :: model
+    ! 2 columns of 3 values, the water table at the level of the toe
+    real(c_double), parameter :: water(2, 3) = reshape([50d3, 50d3, 0d0, 0d0, -50d3, -50d3], [2, 3])
+    type(vbgpd_state) :: state
+    integer(c_int64_t) :: epoch
+    integer(c_int32_t) :: s(3)
+    call say_advance("28 advanced", model, 0.03125_c_double)
+    call model%save(state, s(1))
+    call model%save(state, s(2))
+    call model%write_grid("pore_pressure", [0d0, 0d0], [40d0, 5d0], water, s(3))
+    call say("29 saved " // num32(s(1)) // " again " // num32(s(2)) // ", water " // num32(s(3)))
+    call say_advance("   with water", model, 0.0625_c_double)
+    call model%restore(state, s(1))
+    call begin("   back " // num32(s(1)))
+    call say_hash(model)
+    call say_advance("   without", model, 0.0625_c_double)
+    call model%epoch(epoch)
+    call state%destroy(s(1))
+    call begin("   epoch " // num(epoch) // ", destroyed " // num32(s(1)) // ", backwards: ")
+    call model%advance_to(0d0, stat=s(1))
+    call model_failed(model, s(1))
+  end subroutine step_states
+
+  subroutine step_selections(model)
+    type(vbgpd_model), intent(in) :: model
+    real(c_double), target :: corners(2, 4)
+    type(vbgpd_selection) :: soil, part
+    integer(c_int64_t), allocatable :: ids(:), material(:)
+    real(c_double), allocatable :: u(:, :)
+    integer(c_int64_t) :: n
+    integer(c_int32_t) :: s
+    corners = reshape([10d0, 2d0, 30d0, 2d0, 30d0, 8d0, 10d0, 8d0], [2, 4])
+    soil%kind = VBGPD_SELECT_SOIL
+    part%kind = VBGPD_SELECT_POLYGON
+    part%xy = c_loc(corners)
+    part%xy_stride = 16
+    part%n_points = 4
+    call model%select(soil, ids, s)
+    call begin("30 soil " // num32(s) // " " // num(size(ids, kind=c_int64_t)) // " " // checksum(ids))
+    call model%select(part, ids, s)
+    call begin(" polygon " // num32(s) // " " // num(size(ids, kind=c_int64_t)) // " " // checksum(ids))
+    allocate (u(2, size(ids)), material(size(ids)))
+    call model%read_selected("displacement", part, u, n, s)
+    call begin(" displacement " // num32(s) // " " // num(n) // " " // checksum(words_of(u)))
+    call model%read_selected("material", part, material, n, s)
+    call say(" material " // num32(s) // " " // num(n) // " " // checksum(material))
+  end subroutine step_selections
+
+  subroutine step_samples(model)
+    type(vbgpd_model), intent(in) :: model
+    real(c_double), parameter :: places(2, 3) = reshape([5d0, 5d0, 20d0, 4d0, 20d0, 14d0], [2, 3])
+    real(c_double) :: points(4, 3), line(4, 6), grid(1, 12)
+    real(c_double), allocatable :: ground(:, :)
+    real(c_double), pointer :: ux(:), uy(:)
+    integer(c_int64_t) :: inside(12), lease
+    integer(c_int32_t) :: s
+    call model%sample("stress", places, points, inside(1:3), s)
+    call begin("31 points " // num32(s) // " " // checksum(words_of(points(:, 1:2))) // " " // checksum(inside(1:3)))
+    call model%sample_line("stress", [2d0, 1d0], [12d0, 11d0], line, stat=s)
+    call begin(" line " // num32(s) // " " // checksum(words_of(line)))
+    call model%sample_grid("plastic_strain", [1d0, 1d0], [3d0, 1d0], 4_c_int64_t, 3_c_int64_t, grid, inside, s)
+    call begin(" grid " // num32(s) // " " // checksum(words_of(grid)) // " " // checksum(inside))
+    call model%ground_surface(ground, s)
+    call say(" ground " // num32(s) // " " // num(size(ground, 2, c_int64_t)) // " " // checksum(words_of(ground)))
+    call model%view("displacement", lease, ux, uy, s)
+    call begin("   view " // num32(s) // hexes([min(0d0, minval(ux), minval(uy))]) // ", held: ")
+    call model%step(1_c_int64_t, stat=s)
+    call model_failed(model, s)
+    call model%release(lease, s)
+    call say("   released " // num32(s))
+  end subroutine step_samples
+
+  subroutine step_outside(model)
+    type(vbgpd_model), intent(in) :: model
+    real(c_double), parameter :: places(2, 3) = reshape([0d0, 0d0, 40d0, 0d0, 0d0, 15d0], [2, 3])
+    integer(c_int64_t), target :: id(1) = 3
+    type(vbgpd_selection) :: one
+    real(c_double) :: force(2)
+    integer(c_int64_t) :: b
+    integer(c_int32_t) :: s(4)
+    one%kind = VBGPD_SELECT_IDS
+    one%ids = c_loc(id)
+    one%ids_stride = 8
+    one%n_ids = 1
+    call model%write_points("pore_pressure", places, [60d3, 20d3, -10d3], s(1))
+    call model%write("external_force", reshape([-1d3, 2d3], [2, 1]), one, s(2))
+    call model%set_load(0_c_int64_t, 7d3, 9d3, s(3))
+    call model%set("kh", 0.0625_c_double, s(4))
+    call begin("32 from outside " // num32(s(1)) // " " // num32(s(2)) // " " // num32(s(3)) // " " // num32(s(4)) // &
+               ", a fixed boundary: ")
+    call model%set_boundary_velocity(0_c_int64_t, [1d0, 0d0], s(1))
+    call model_failed(model, s(1))
+    call say_advance("   then", model, 0.09375_c_double)
+    do b = 0, 2
+      call model%boundary_reaction(b, force, s(1))
+      call say("   reaction " // num32(s(1)) // hexes(force))
+    end do
+  end subroutine step_outside
+
+  subroutine step_events(model)
+    type(vbgpd_model), intent(in) :: model
+    type(vbgpd_event), allocatable :: list(:)
+    integer(c_int32_t) :: s
+    integer :: i
+    call model%events(0_c_int64_t, list, s)
+    call begin("   events " // num32(s))
+    do i = 1, size(list)
+      call begin(" " // num32(list(i)%kind) // " " // num(list(i)%sequence) // " " // num(list(i)%step) // &
+                 hexes([list(i)%time]) // " " // num(list(i)%id_a) // " " // num(list(i)%id_b) // &
+                 hexes([list(i)%x, list(i)%y, list(i)%value]))
+    end do
+    call say("")
+  end subroutine step_events
+
+  subroutine step_checkpoint(context, profile, model)
+    type(vbgpd_context), intent(in) :: context
+    type(vbgpd_profile), intent(in) :: profile
+    type(vbgpd_model), intent(in) :: model
+    type(vbgpd_model) :: other
+    integer(c_int8_t), allocatable :: bytes(:), scene(:)
+    integer(c_int32_t) :: s
+    call model%checkpoint(bytes, s)
+    call begin("33 checkpoint " // num32(s) // " " // num(size(bytes, kind=c_int64_t)))
+    call other%create_from_checkpoint(context, bytes, s)
+    call begin(" made " // num32(s))
+    call say_hash(other)
+    call say_advance("   both", model, 0.125_c_double)
+    call say_advance("   both", other, 0.125_c_double)
+    call model%restore_checkpoint(bytes, s)
+    call begin("   back " // num32(s))
+    call say_hash(model)
+    call begin("   cut short: ")
+    call model%restore_checkpoint(bytes(:size(bytes)/2), s)
+    call model_failed(model, s)
+    call profile%to_flatbuffer(scene, s)
+    call say("   profile " // num32(s) // " " // num(size(scene, kind=c_int64_t)))
+  end subroutine step_checkpoint
+
+  subroutine step_coupling(context, profile)
+    type(vbgpd_context), intent(in) :: context
+    type(vbgpd_profile), intent(in) :: profile
+    type(vbgpd_model) :: model
+    call profile%set("spacing", 1.25_c_double)
+    call model%create(context, profile)
+    call step_states(model)
+    call step_selections(model)
+    call step_samples(model)
+    call step_outside(model)
+    call step_events(model)
+    call step_checkpoint(context, profile, model)
+  end subroutine step_coupling
+
   ! Parents first; the job still answers. A destroyed handle is known as such, NULL may be destroyed.
   subroutine step_endings(context, profile, model, job)
     type(vbgpd_context), intent(inout) :: context
@@ -473,14 +637,14 @@ contains
     type(c_ptr) :: gone
     gone = profile%handle
     call profile%destroy(s)
-    call begin("28 destroyed " // num32(s) // " " // num32(vbgpd_profile_count(gone, VBGPD_OBJECT_LAYER, n)))
+    call begin("34 destroyed " // num32(s) // " " // num32(vbgpd_profile_count(gone, VBGPD_OBJECT_LAYER, n)))
     call begin(" NULL " // num32(vbgpd_model_item_count(c_null_ptr, VBGPD_AT_BOND, n)) // " " // &
                num32(vbgpd_job_get_f64(c_null_ptr, "steps", 5_c_int64_t, value)) // " " // &
                num32(vbgpd_profile_destroy(c_null_ptr)))
     call say(" foreign " // num32(vbgpd_model_item_count(context%handle, VBGPD_AT_BOND, n)))
     call context%destroy(s)
     call model%destroy(t)
-    call begin("29 destroyed " // num32(s) // " " // num32(t) // ", job still has")
+    call begin("35 destroyed " // num32(s) // " " // num32(t) // ", job still has")
     call say_job_numbers(job, ["factor_of_safety"])
     call job%destroy(s)
     call say(" " // num32(s))
@@ -513,5 +677,6 @@ program transcript
   call job%create_strength_reduction(model)
   call step_strength_reduction(model, job)
   call step_progress(context, profile)
+  call step_coupling(context, profile)
   call step_endings(context, profile, model, job)
 end program transcript

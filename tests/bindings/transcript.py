@@ -54,7 +54,7 @@ def tables():
                   f"{p.maximum_open:d} {p.doc}")
     for f in vbgpd.fields(library):
         print(f"04 field {vbgpd.field(f.name, library).index} {f.name} [{f.unit}] type {2 if f.dtype == int else 1} "
-              f"at {f.location:d} of {f.components}: {f.doc}")
+              f"at {f.location:d} of {f.components} writable {f.writable:d}: {f.doc}")
 
 
 def issues(profile):
@@ -182,17 +182,98 @@ def progress(context, profile):
         print(f"27 stopped by the progress function {stopped} after {calls}, cancelled {job.run():d}")
 
 
+def advance(what, model, time):
+    status, r = model.advance_to(time)
+    print(f"{what} {status:d} {r.steps}", hexes(r.time, r.time_step), f"hash {model.state_hash:016X}")
+
+
+def states(model):
+    # 2 columns of 3 values, the water table at the level of the toe
+    water = [[50e3, 50e3], [0, 0], [-50e3, -50e3]]
+    advance("28 advanced", model, 0.03125)
+    state = model.save()
+    model.save(state)
+    model.write_grid("pore_pressure", 0, 0, 40, 5, water)
+    print("29 saved 0 again 0, water 0")
+    advance("   with water", model, 0.0625)
+    model.restore(state)
+    print(f"   back 0 hash {model.state_hash:016X}")
+    advance("   without", model, 0.0625)
+    state.close()
+    print(f"   epoch {model.epoch}, destroyed 0, backwards:", failure(model.advance_to, 0))
+
+
+def selections(model):
+    soil, part = vbgpd.Selection(soil=True), vbgpd.Selection(polygon=[(10, 2), (30, 2), (30, 8), (10, 8)])
+    told = [("soil", model.select(soil)), ("polygon", model.select(part)),
+            ("displacement", model.field("displacement", where=part)), ("material", model.field("material", where=part))]
+    print("30", *(f"{name} 0 {len(values)} {checksum(values)}" for name, values in told))
+
+
+def samples(model):
+    points = model.sample("stress", [(5, 5), (20, 4), (20, 14)])
+    inside = (~numpy.isnan(points[:, 0])).astype(numpy.int64)
+    line = model.sample_line("stress", (2, 1), (12, 11), 6)
+    grid = model.sample_grid("plastic_strain", 1, 1, 3, 1, 4, 3)
+    marks = (~numpy.isnan(grid)).astype(numpy.int64)
+    ground = model.ground_surface()
+    print(f"31 points 0 {checksum(points[:2])} {checksum(inside)} line 0 {checksum(line)} grid 0 {checksum(grid)} "
+          f"{checksum(marks)} ground 0 {len(ground)} {checksum(ground)}")
+    with model.view("displacement") as view:
+        print(f"   view 0 {hex_of(min(0.0, view.array.min()))}, held:", failure(model.step, 1))
+    print("   released 0")
+
+
+def outside(model):
+    model.write_points("pore_pressure", [(0, 0), (40, 0), (0, 15)], [60e3, 20e3, -10e3])
+    model.write("external_force", [(-1e3, 2e3)], vbgpd.Selection(ids=[3]))
+    model.set_load(0, 7e3, 9e3)
+    model.set("kh", 0.0625)
+    print("32 from outside 0 0 0 0, a fixed boundary:", failure(model.set_boundary_velocity, 0, 1, 0))
+    advance("   then", model, 0.09375)
+    for boundary in range(3):
+        print("   reaction 0", hexes(*model.boundary_reaction(boundary)))
+
+
+def events(model):
+    print("   events 0", *(f"{e.kind} {e.sequence} {e.step} {hex_of(e.time)} {e.id_a} {e.id_b} "
+                           f"{hexes(e.x, e.y, e.value)}" for e in model.events()))
+
+
+def checkpoint(context, profile, model):
+    data = model.checkpoint()
+    other = vbgpd.Model.from_checkpoint(context, data)
+    print(f"33 checkpoint 0 {len(data)} made 0 hash {other.state_hash:016X}")
+    advance("   both", model, 0.125)
+    advance("   both", other, 0.125)
+    model.restore_checkpoint(data)
+    print(f"   back 0 hash {model.state_hash:016X}")
+    print("   cut short:", failure(model.restore_checkpoint, data[:len(data) // 2]))
+    print(f"   profile 0 {len(profile.to_flatbuffer())}")
+
+
+def coupling(context, profile):
+    profile.set("spacing", 1.25)
+    with vbgpd.Model(context, profile) as model:
+        states(model)
+        selections(model)
+        samples(model)
+        outside(model)
+        events(model)
+        checkpoint(context, profile, model)
+
+
 def endings(context, profile, model, job):
     c, n, value = library.c, ctypes.c_int64(), ctypes.c_double()
     gone = _raw.vbgpd_profile(profile.handle.value)
     profile.close()
     foreign = _raw.vbgpd_model(context.handle.value)
-    print("28 destroyed 0", c.vbgpd_profile_count(gone, Kind.LAYER, n), "NULL",
+    print("34 destroyed 0", c.vbgpd_profile_count(gone, Kind.LAYER, n), "NULL",
           c.vbgpd_model_item_count(None, Location.BOND, n), c.vbgpd_job_get_f64(None, b"steps", 5, value),
           c.vbgpd_profile_destroy(None), "foreign", c.vbgpd_model_item_count(foreign, Location.BOND, n))
     context.close()
     model.close()
-    print("29 destroyed 0 0, job still has", numbers(job, "factor_of_safety"), end=" ")
+    print("35 destroyed 0 0, job still has", numbers(job, "factor_of_safety"), end=" ")
     job.close()
     print(0)
 
@@ -213,4 +294,5 @@ model = vbgpd.Model(context, profile)
 job = vbgpd.Job.strength_reduction(model)
 strength_reduction(model, job)
 progress(context, profile)
+coupling(context, profile)
 endings(context, profile, model, job)

@@ -1,5 +1,6 @@
-# cmake -DNM= -DLIBRARY= -DSYMBOLS= -DASSERTIONS= -P check_symbols.cmake
-# The shared library exports the functions of symbols.txt and nothing else, and asks nobody to print, exit or set a locale.
+# cmake -DNM= -DREADELF= -DLIBRARY= -DSYMBOLS= -DASSERTIONS= -P check_symbols.cmake
+# The shared library exports the functions of symbols.txt and nothing else, asks nobody to print, exit or set a locale, and
+# needs the run-time libraries of C and C++ alone.
 cmake_minimum_required(VERSION 3.22)
 function(dynamic_symbols which out)
   execute_process(COMMAND ${NM} -D ${which} ${LIBRARY} OUTPUT_VARIABLE text RESULT_VARIABLE result)
@@ -38,5 +39,19 @@ endif()
 foreach(name IN LISTS unwanted)
   if(name IN_LIST imported)
     message(SEND_ERROR "the library imports ${name}")
+  endif()
+endforeach()
+
+execute_process(COMMAND ${READELF} -d ${LIBRARY} OUTPUT_VARIABLE text RESULT_VARIABLE result)
+if(NOT result EQUAL 0 OR NOT text MATCHES "SONAME[^\n]*\\[libvbgpd\\.so\\.1\\]")
+  message(SEND_ERROR "the soname is not libvbgpd.so.1:\n${text}")
+endif()
+string(REGEX MATCHALL "NEEDED[^\n]*\\[[^]]+\\]" needed "${text}")
+if(NOT needed)
+  message(FATAL_ERROR "no needed libraries found; the check would pass whatever the library needs")
+endif()
+foreach(line IN LISTS needed)
+  if(NOT line MATCHES "\\[(libstdc\\+\\+\\.so\\.6|libm\\.so\\.6|libgcc_s\\.so\\.1|libc\\.so\\.6|ld-linux[^]]*)\\]")
+    message(SEND_ERROR "the library needs ${line}")
   endif()
 endforeach()

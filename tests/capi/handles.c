@@ -1,5 +1,8 @@
-/* NULL, stale, foreign and wrong-kind handles for every function; check_names.cmake sees to it that none is forgotten.
+/* NULL, stale, foreign and wrong-kind handles, and overlapping use, for every function; check_names.cmake sees to it
+ * that none is forgotten.
  */
+#include <pthread.h>
+
 #include "slope.h"
 
 static double xy[2];
@@ -15,6 +18,8 @@ static vbgpd_feature feature;
 static vbgpd_progress progress;
 static vbgpd_trial trial;
 static vbgpd_level level;
+static vbgpd_view view;
+static vbgpd_event event;
 
 /* kind of handle, function, arguments with `h` as the handle */
 #define FUNCTIONS_OF_HANDLES(X)                                                                  \
@@ -22,9 +27,11 @@ static vbgpd_level level;
   X(CONTEXT, vbgpd_context_destroy, (h))                                                         \
   X(CONTEXT, vbgpd_profile_create, (h, (vbgpd_profile**)&out))                                   \
   X(CONTEXT, vbgpd_profile_create_from_flatbuffer, (h, "VBGP", 4, (vbgpd_profile**)&out))        \
+  X(CONTEXT, vbgpd_model_create_from_checkpoint, (h, "VBGC", 4, (vbgpd_model**)&out))            \
   X(CONTEXT, vbgpd_model_create, (h, good_profile, (vbgpd_model**)&out))                         \
   X(PROFILE, vbgpd_profile_error, (h, &info, text, 8, &n))                                       \
   X(PROFILE, vbgpd_profile_destroy, (h))                                                         \
+  X(PROFILE, vbgpd_profile_to_flatbuffer, (h, text, 0, &n))                                      \
   X(PROFILE, vbgpd_profile_set_exterior, (h, xy, 16, 1))                                         \
   X(PROFILE, vbgpd_profile_add_material, (h, "clay", VBGPD_STRLEN, &id))                         \
   X(PROFILE, vbgpd_profile_add_layer, (h, NULL, 16, 0, 0, &id))                                  \
@@ -51,6 +58,29 @@ static vbgpd_level level;
   X(MODEL, vbgpd_model_read_f64, (h, 0, xy, 0, 0, 1, &n))                                        \
   X(MODEL, vbgpd_model_read_i64, (h, 0, &id, 0, 0, 1, &n))                                       \
   X(MODEL, vbgpd_model_state_hash, (h, &hash))                                                   \
+  X(MODEL, vbgpd_model_advance_to, (h, 1e-6, 0, NULL, NULL, &advance))                           \
+  X(MODEL, vbgpd_model_events_read, (h, 0, &event, sizeof event, 1, &n, &n))                     \
+  X(MODEL, vbgpd_model_epoch, (h, &n))                                                           \
+  X(MODEL, vbgpd_model_save_state, (h, (vbgpd_state**)&out))                                     \
+  X(MODEL, vbgpd_model_restore_state, (h, good_state))                                           \
+  X(MODEL, vbgpd_model_checkpoint, (h, text, 0, &n))                                             \
+  X(MODEL, vbgpd_model_restore_checkpoint, (h, text, 8))                                         \
+  X(MODEL, vbgpd_model_select, (h, NULL, &id, 8, 1, &n))                                         \
+  X(MODEL, vbgpd_model_read_selected_f64, (h, 0, NULL, xy, 0, 0, 1, &n))                         \
+  X(MODEL, vbgpd_model_read_selected_i64, (h, 0, NULL, &id, 0, 0, 1, &n))                        \
+  X(MODEL, vbgpd_model_sample_points, (h, 0, xy, 16, 1, xy, 0, 0, &id, 0))                       \
+  X(MODEL, vbgpd_model_sample_line, (h, 0, 0, 0, 1, 1, 1, xy, 0, 0, &id, 0))                     \
+  X(MODEL, vbgpd_model_sample_grid, (h, 0, 0, 0, 1, 1, 1, 1, xy, 0, 0, &id, 0))                  \
+  X(MODEL, vbgpd_model_ground_surface, (h, xy, 16, 1, &n))                                       \
+  X(MODEL, vbgpd_model_view_acquire, (h, 2, &view))                                              \
+  X(MODEL, vbgpd_model_view_release, (h, 1))                                                     \
+  X(MODEL, vbgpd_model_write_f64, (h, 0, NULL, xy, 0, 0, 1))                                     \
+  X(MODEL, vbgpd_model_write_points, (h, 0, xy, 16, xy, 0, 0, 1))                                \
+  X(MODEL, vbgpd_model_write_grid, (h, 0, 0, 0, 1, 1, 1, 1, xy, 0))                              \
+  X(MODEL, vbgpd_model_set_load, (h, 0, 0, 0))                                                   \
+  X(MODEL, vbgpd_model_set_boundary_velocity, (h, 0, 0, 0))                                      \
+  X(MODEL, vbgpd_model_boundary_reaction, (h, 0, &value, &value))                                \
+  X(STATE, vbgpd_state_destroy, (h))                                                             \
   X(JOB, vbgpd_job_error, (h, &info, text, 8, &n))                                               \
   X(JOB, vbgpd_job_destroy, (h))                                                                 \
   X(JOB, vbgpd_job_set_f64, (h, "levels", 6, 1.0))                                               \
@@ -77,6 +107,7 @@ static vbgpd_level level;
   X(vbgpd_field_find, (vbgpd_field_find("no such field", VBGPD_STRLEN, &field) == VBGPD_E_UNKNOWN_NAME))
 
 static vbgpd_profile* good_profile;
+static vbgpd_state* good_state;
 
 #define DEFINE_CALL(kind, name, arguments) \
   static vbgpd_status call_##name(void* h) { return name arguments; }
@@ -112,6 +143,7 @@ static void null_handles(void) {
   CHECK_OK(vbgpd_profile_destroy(NULL));
   CHECK_OK(vbgpd_model_destroy(NULL));
   CHECK_OK(vbgpd_job_destroy(NULL));
+  CHECK_OK(vbgpd_state_destroy(NULL));
 }
 
 static void foreign_handles(void* live) {
@@ -145,7 +177,10 @@ static void stale_handles(vbgpd_context* context, vbgpd_model* model) {
   vbgpd_profile* old_profile = make_profile(context, 1);
   vbgpd_model* old_model = make_model(context, 2.5);
   vbgpd_job* old_job = NULL;
+  vbgpd_state* old_state = NULL;
   int i;
+  CHECK_OK(vbgpd_model_save_state(model, &old_state));
+  CHECK_OK(vbgpd_state_destroy(old_state));
   CHECK_OK(vbgpd_job_create_equilibrium(model, &old_job));
   CHECK_OK(vbgpd_context_destroy(old_context));
   CHECK_OK(vbgpd_profile_destroy(old_profile));
@@ -161,10 +196,64 @@ static void stale_handles(vbgpd_context* context, vbgpd_model* model) {
       refuse_everywhere(0, old_profile, "stale profile");
       refuse_everywhere(0, old_model, "stale model");
       refuse_everywhere(0, old_job, "stale job");
+      refuse_everywhere(0, old_state, "stale state");
     }
     CHECK_OK(vbgpd_profile_destroy(next_profile));
     CHECK_OK(vbgpd_context_destroy(next));
   }
+}
+
+/* Whoever is inside an object is alone: its own callback is told so (R5), and so is every other thread (R4). */
+typedef struct {
+  int32_t kind;
+  void* handle;
+  vbgpd_status expected;
+  int calls;
+} visit;
+
+static int may_overlap(const entry* e) { return strstr(e->name, "_cancel") != NULL; }
+
+static void* refused_everywhere(void* user) {
+  const visit* v = (const visit*)user;
+  int i;
+  for (i = 0; i < functions; ++i) {
+    vbgpd_status status;
+    if (table[i].kind != v->kind || may_overlap(&table[i])) continue;
+    status = table[i].call(v->handle);
+    if (status != v->expected) {
+      fprintf(stderr, "%s says %s, not %s, inside a call\n", table[i].name, vbgpd_status_name(status),
+              vbgpd_status_name(v->expected));
+      exit(1);
+    }
+  }
+  return NULL;
+}
+
+static int32_t VBGPD_CALL let_in_nobody(void* user, const vbgpd_progress* p) {
+  visit* v = (visit*)user;
+  pthread_t other;
+  (void)p;
+  ++v->calls;
+  v->expected = VBGPD_E_REENTRANT;
+  refused_everywhere(v);
+  v->expected = VBGPD_E_BUSY;
+  CHECK(pthread_create(&other, NULL, refused_everywhere, v) == 0);
+  CHECK(pthread_join(other, NULL) == 0);
+  return 1;
+}
+
+static void overlapping_use(vbgpd_context* context) {
+  vbgpd_model* model = make_model(context, 0.5);
+  vbgpd_job* job = NULL;
+  visit of_model = {VBGPD_OBJECT_MODEL, NULL, 0, 0}, of_job = {VBGPD_OBJECT_JOB, NULL, 0, 0};
+  of_model.handle = model;
+  CHECK_STATUS(VBGPD_CANCELLED, vbgpd_model_advance_to(model, 1e6, 0, let_in_nobody, &of_model, NULL));
+  CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
+  of_job.handle = job;
+  CHECK_STATUS(VBGPD_CANCELLED, vbgpd_job_run(job, 0, let_in_nobody, &of_job, NULL));
+  CHECK(of_model.calls == 1 && of_job.calls == 1);
+  CHECK_OK(vbgpd_job_destroy(job));
+  CHECK_OK(vbgpd_model_destroy(model));
 }
 
 static void profiles_that_are_none(vbgpd_context* context, vbgpd_model* model) {
@@ -183,17 +272,21 @@ int main(void) {
   vbgpd_job* job = NULL;
   good_profile = make_profile(context, 2.5);
   CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
+  CHECK_OK(vbgpd_model_save_state(model, &good_state));
   null_handles();
   foreign_handles(context);
   refuse_everywhere(VBGPD_OBJECT_CONTEXT, context, "context");
   refuse_everywhere(VBGPD_OBJECT_PROFILE, good_profile, "profile");
   refuse_everywhere(VBGPD_OBJECT_MODEL, model, "model");
   refuse_everywhere(VBGPD_OBJECT_JOB, job, "job");
+  refuse_everywhere(VBGPD_OBJECT_STATE, good_state, "state");
   stale_handles(context, model);
   profiles_that_are_none(context, model);
+  overlapping_use(context);
   functions_without_handles();
   CHECK(out == NULL);
   CHECK_OK(vbgpd_profile_destroy(good_profile));
+  CHECK_OK(vbgpd_state_destroy(good_state));
   CHECK_OK(vbgpd_job_destroy(job));
   CHECK_OK(vbgpd_model_destroy(model));
   CHECK_OK(vbgpd_context_destroy(context));

@@ -20,13 +20,14 @@ import time
 import numpy
 
 from . import _raw
-from ._engine import (Boundary, Error, FieldInfo, Issue, Kind, Library, Location, Property, Status, Verdict, address,
-                      field, fields, points_from, points_in, properties, raise_failure, status_name, text_from,
-                      version, version_number)
+from ._arrays import Selection, View, values_in
+from ._engine import (Boundary, Error, Event, FieldInfo, Issue, Kind, Library, Location, Property, Status, Verdict, address,
+                      bytes_from, field, fields, points_from, points_in, properties, raise_failure, status_name,
+                      text_from, version, version_number)
 
-__all__ = ["Boundary", "Context", "Error", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "Model",
-           "Profile", "Property", "Status", "Verdict", "field", "fields", "properties", "status_name", "version",
-           "version_number"]
+__all__ = ["Boundary", "Context", "Error", "Event", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "Model",
+           "Profile", "Property", "Selection", "State", "Status", "Verdict", "View", "field", "fields", "properties",
+           "status_name", "version", "version_number"]
 
 
 class _Object:
@@ -125,6 +126,10 @@ class Profile(_Object):
         _Object.__init__(self, context._library, "vbgpd_profile_create_from_flatbuffer", context.handle, bytes(data),
                          len(data), owner=context)
         return self
+
+    def to_flatbuffer(self):
+        """The profile as the bytes of a scene flatbuffer."""
+        return bytes_from(lambda *buffer: self._call("to_flatbuffer", *buffer))
 
     def set_exterior(self, xy):
         """The outline of the section, any winding."""
@@ -225,9 +230,57 @@ class Model(_Object):
         record = _raw.vbgpd_advance_result()
         return self._call("step", steps, ctypes.byref(record)), record
 
+    def advance_to(self, time, callback=None, slice_seconds=0.1):
+        """Dynamic steps that end exactly at `time`; gives (Status, record) as step() does.
+
+        In slices: Ctrl-C is heard between two of them (KeyboardInterrupt; call again with the same time to go on), and
+        callback is given the record of the slice; a true answer stops as CANCELLED.
+        """
+        record, steps = _raw.vbgpd_advance_result(), 0
+        while True:
+            status = self._call("advance_to", time, slice_seconds, _raw.vbgpd_progress_fn(), None, ctypes.byref(record))
+            steps += record.steps
+            record.steps = steps
+            stop = callback is not None and callback(record)
+            if status != Status.LIMIT_REACHED:
+                return status, record
+            if stop:
+                return Status.CANCELLED, record
+
     def cancel(self):
-        """Stops a step() of another thread, or the next one, between two steps."""
+        """Stops a step() or advance_to() of another thread, or the next one, between two steps."""
         self._call("cancel")
+
+    @property
+    def epoch(self):
+        """Grows whenever particles are added, removed or stored in another order."""
+        n = ctypes.c_int64()
+        self._call("epoch", ctypes.byref(n))
+        return n.value
+
+    def save(self, state=None):
+        """A State to restore() later; writes over one that is given."""
+        return State(self) if state is None else state.save(self)
+
+    def restore(self, state):
+        """Takes the model back to a State of its own: everything, also what was set from outside."""
+        self._call("restore_state", state.handle)
+
+    def checkpoint(self):
+        """The model with its profile as bytes, for a file or another process."""
+        return bytes_from(lambda *buffer: self._call("checkpoint", *buffer))
+
+    @classmethod
+    def from_checkpoint(cls, context, data):
+        """A model from the bytes of checkpoint()."""
+        self = cls.__new__(cls)
+        _Object.__init__(self, context._library, "vbgpd_model_create_from_checkpoint", context.handle, bytes(data),
+                         len(data), owner=context)
+        return self
+
+    def restore_checkpoint(self, data):
+        """Takes a model of the same profile back to a checkpoint."""
+        self._call("restore_checkpoint", bytes(data), len(data))
 
     def item_count(self, location):
         """How many particles or bonds there are."""
@@ -235,13 +288,33 @@ class Model(_Object):
         self._call("item_count", location, ctypes.byref(n))
         return n.value
 
-    def field(self, name, out=None):
+    def events(self, after=0):
+        """What happened, oldest first: records with the members of vbgpd_event and a sequence above `after`."""
+        n = ctypes.c_int64()
+        self._call("events_read", after, None, 0, 0, ctypes.byref(n), None)
+        records = (_raw.vbgpd_event * max(n.value, 1))()
+        records[0].struct_size = size = ctypes.sizeof(_raw.vbgpd_event)
+        if n.value:
+            self._call("events_read", after, records, size, n.value, ctypes.byref(n), None)
+        return list(records[:n.value])
+
+    def select(self, where):
+        """The ids of the particles of a Selection."""
+        n = ctypes.c_int64()
+        self._call("select", where.pointer, None, 8, 0, ctypes.byref(n))
+        ids = numpy.empty(n.value, numpy.int64)
+        if n.value:
+            self._call("select", where.pointer, address(ids, ctypes.c_int64), 8, n.value, None)
+        return ids
+
+    def field(self, name, out=None, where=None):
         """A field as an array of shape (items,) or (items, components); `fields()` lists them.
 
-        out: an array of that shape, float64 or, for whole numbers, int64; any view of a larger one is written in place.
+        where: a Selection, for some of the particles. out: an array of that shape, float64 or, for whole numbers,
+        int64; any view of a larger one is written in place.
         """
         info = field(name, self._library)
-        items = self.item_count(info.location)
+        items = self.item_count(info.location) if where is None else len(self.select(where))
         shape = (items,) if info.components == 1 else (items, info.components)
         if out is None:
             out = numpy.empty(shape, info.dtype)
@@ -249,14 +322,86 @@ class Model(_Object):
         if out.shape != shape or out.dtype not in kinds or not out.flags.writeable or 0 in out.strides:
             raise ValueError(f'the field "{name}" needs a writeable array of shape {shape} and float64 or int64, '
                              f"not {out.shape} and {out.dtype}")
-        function, number = ("read_i64", ctypes.c_int64) if out.dtype == numpy.int64 else ("read_f64", ctypes.c_double)
-        component = out.strides[1] if out.ndim == 2 else 0
-        self._call(function, info.index, address(out, number), out.strides[0], component, items, None)
+        whole = out.dtype == numpy.int64
+        target = (address(out, ctypes.c_int64 if whole else ctypes.c_double), out.strides[0] if out.ndim else 0,
+                  out.strides[1] if out.ndim == 2 else 0, items, None)
+        if where is None:
+            self._call("read_i64" if whole else "read_f64", info.index, *target)
+        else:
+            self._call("read_selected_i64" if whole else "read_selected_f64", info.index, where.pointer, *target)
         return out
 
     def plan(self):
         """Every feature of the engine, used or left out, and its bytes: records with the members of vbgpd_feature."""
         return self._records("plan", _raw.vbgpd_feature)
+
+    def _sampled(self, function, name, shape, *places):
+        info = field(name, self._library)
+        count = int(numpy.prod(shape))
+        values, inside = numpy.empty((count, info.components)), numpy.empty(count, numpy.int64)
+        self._call(function, info.index, *places, address(values), 0, 0, address(inside, ctypes.c_int64), 0)
+        return values.reshape(shape if info.components == 1 else (*shape, info.components))
+
+    def sample(self, name, xy):
+        """A field at places, rows of x and y in the present shape; NaN where no soil is."""
+        array, *places = points_in(xy)
+        return self._sampled("sample_points", name, (len(array),), *places)
+
+    def sample_line(self, name, start, end, n):
+        """A field at n places at equal distances from start to end, both included."""
+        return self._sampled("sample_line", name, (n,), *start, *end, n)
+
+    def sample_grid(self, name, x0, y0, dx, dy, nx, ny):
+        """A field on a raster: an array of shape (ny, nx) or (ny, nx, components)."""
+        return self._sampled("sample_grid", name, (ny, nx), x0, y0, dx, dy, nx, ny)
+
+    def ground_surface(self):
+        """The ground surface in its present shape, left to right: an array of shape (n, 2)."""
+        return points_from(lambda *target: self._call("ground_surface", *target))
+
+    def view(self, name):
+        """A View of a field where it is stored, without a copy; the model does not change while it is held."""
+        return View(self, field(name, self._library), self._library)
+
+    def close(self):
+        """Destroys the model; refused (E_LEASED) while arrays of its views are held."""
+        if self._handle and any(lease.alive for lease in self.__dict__.get("_leases", ())):
+            raise Error(Status.E_LEASED, "Arrays of this model are still held: drop them, then close it.")
+        super().close()
+
+    def write(self, name, values, where=None):
+        """Sets a writable field of all particles by id, or of a Selection: "pore_pressure", "external_force" ..."""
+        array, pointer, *strides = values_in(values)
+        self._call("write_f64", field(name, self._library).index, where.pointer if where else None, pointer, *strides,
+                   len(array))
+
+    def write_points(self, name, xy, values):
+        """Sets a writable field from values at places, e.g. nodes of a seepage mesh."""
+        places, *points = points_in(xy)
+        array, pointer, *strides = values_in(values)
+        if len(array) != len(places):
+            raise ValueError(f"there are values for {len(array)} places; there are {len(places)} places")
+        self._call("write_points", field(name, self._library).index, *points[:2], pointer, *strides, len(array))
+
+    def write_grid(self, name, x0, y0, dx, dy, values):
+        """Sets a writable field from a raster: values of shape (ny, nx); NaN = no value."""
+        array = numpy.ascontiguousarray(values, dtype=numpy.float64)
+        ny, nx = array.shape
+        self._call("write_grid", field(name, self._library).index, x0, y0, dx, dy, nx, ny, address(array), 8)
+
+    def set_load(self, load, pressure, pressure_end=None):
+        """New pressures of a load of the profile."""
+        self._call("set_load", load, pressure, pressure if pressure_end is None else pressure_end)
+
+    def set_boundary_velocity(self, boundary, vx, vy):
+        """Of a boundary of kind VELOCITY."""
+        self._call("set_boundary_velocity", boundary, vx, vy)
+
+    def boundary_reaction(self, boundary):
+        """The force (x, y) of a boundary on the soil, N per metre run."""
+        fx, fy = ctypes.c_double(), ctypes.c_double()
+        self._call("boundary_reaction", boundary, ctypes.byref(fx), ctypes.byref(fy))
+        return fx.value, fy.value
 
     @property
     def state_hash(self):
@@ -264,6 +409,23 @@ class Model(_Object):
         value = ctypes.c_uint64()
         self._call("state_hash", ctypes.byref(value))
         return value.value
+
+
+class State(_Object):
+    """A saved instant of a model, in memory: for trying a step and taking it back."""
+
+    _name = "state"
+
+    def __init__(self, model):
+        super().__init__(model._library, "vbgpd_model_save_state", model.handle, owner=model)
+
+    def save(self, model):
+        """Writes over this state."""
+        model._call("save_state", ctypes.byref(self._handle))
+        return self
+
+    def _check(self, status):
+        return raise_failure(status)
 
 
 class Job(_Object):

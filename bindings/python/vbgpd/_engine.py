@@ -24,12 +24,14 @@ Boundary = enum.IntEnum("Boundary", _members("VBGPD_BOUNDARY_"))
 Boundary.__doc__ = "How a held part of the outline is held."
 Verdict = enum.IntEnum("Verdict", _members("VBGPD_VERDICT_"))
 Verdict.__doc__ = "What a trial showed."
+Event = enum.IntEnum("Event", _members("VBGPD_EVENT_"))
+Event.__doc__ = "What happened to a model."
 Location = enum.IntEnum("Location", _members("VBGPD_AT_"))
 Location.__doc__ = "Where a field lives."
 
 Property = namedtuple("Property", "name unit doc required default minimum maximum minimum_open maximum_open")
 Property.__doc__ = "A named number; default is None when absent, a bound that is open is itself not allowed."
-FieldInfo = namedtuple("FieldInfo", "name unit doc location components dtype index")
+FieldInfo = namedtuple("FieldInfo", "name unit doc location components dtype index writable")
 FieldInfo.__doc__ = "An output field; unit in UDUNITS form, dtype float64 or int64."
 
 _UNRECORDED = {
@@ -145,6 +147,15 @@ def text_from(call):
     return buffer.value.decode()
 
 
+def bytes_from(call):
+    """The bytes of a call(buf, cap, needed) that gives back a status."""
+    needed = ctypes.c_int64()
+    call(None, 0, ctypes.byref(needed))
+    buffer = ctypes.create_string_buffer(needed.value)
+    call(buffer, needed.value, ctypes.byref(needed))
+    return buffer.raw
+
+
 def address(array, number=ctypes.c_double):
     """The first item of a numpy array as the C face wants it."""
     return ctypes.cast(array.ctypes.data, ctypes.POINTER(number))
@@ -209,7 +220,7 @@ def fields(library=None):
         raise_failure(c.vbgpd_field_info_at(i, ctypes.byref(f)))
         dtype = numpy.dtype(numpy.int64 if f.type == _raw.VBGPD_TYPE_I64 else numpy.float64)
         listed.append(FieldInfo(f.name.decode(), f.unit.decode(), f.doc.decode(), Location(f.location), f.components,
-                                dtype, i))
+                                dtype, i, bool(f.writable)))
     return listed
 
 

@@ -20,6 +20,7 @@ VBGPD_E_HANDLE = -2
 VBGPD_E_MEMORY = -3
 VBGPD_E_LIMIT = -4
 VBGPD_E_BUSY = -5
+VBGPD_E_LEASED = -6
 VBGPD_E_REENTRANT = -7
 VBGPD_E_STATE = -8
 VBGPD_E_GEOMETRY = -9
@@ -39,6 +40,7 @@ VBGPD_OBJECT_LOAD = 5
 VBGPD_OBJECT_BOUNDARY = 6
 VBGPD_OBJECT_MODEL = 7
 VBGPD_OBJECT_JOB = 8
+VBGPD_OBJECT_STATE = 9
 VBGPD_BOUNDARY_FREE = 0
 VBGPD_BOUNDARY_FIXED = 1
 VBGPD_BOUNDARY_ROLLER = 2
@@ -50,6 +52,18 @@ VBGPD_AT_PARTICLE = 1
 VBGPD_AT_BOND = 2
 VBGPD_TYPE_F64 = 1
 VBGPD_TYPE_I64 = 2
+VBGPD_SELECT_ALL = 0
+VBGPD_SELECT_IDS = 1
+VBGPD_SELECT_BOX = 2
+VBGPD_SELECT_POLYGON = 3
+VBGPD_SELECT_MATERIAL = 4
+VBGPD_SELECT_LAYER = 5
+VBGPD_SELECT_BOUNDARY = 6
+VBGPD_SELECT_SOIL = 7
+VBGPD_EVENT_FIRST_YIELD = 1
+VBGPD_EVENT_AT_REST = 2
+VBGPD_EVENT_MECHANISM = 3
+VBGPD_EVENT_DIVERGED = 4
 
 
 # ---- handles: a type each, so that ctypes refuses a profile where a model is wanted
@@ -68,6 +82,9 @@ class vbgpd_model(c_void_p):
 class vbgpd_job(c_void_p):
     pass
 
+
+class vbgpd_state(c_void_p):
+    pass
 
 # ---- structs
 class Record(ctypes.Structure):
@@ -206,8 +223,56 @@ class vbgpd_field_info(Record):
         ("name", c_char_p),
         ("unit", c_char_p),
         ("doc", c_char_p),
+        ("writable", c_int32),
+        ("reserved", c_int32),
     ]
 
+
+class vbgpd_selection(Record):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("object_id", c_int64),
+        ("xmin", c_double),
+        ("ymin", c_double),
+        ("xmax", c_double),
+        ("ymax", c_double),
+        ("ids", POINTER(c_int64)),
+        ("ids_stride", c_int64),
+        ("n_ids", c_int64),
+        ("xy", POINTER(c_double)),
+        ("xy_stride", c_int64),
+        ("n_points", c_int64),
+    ]
+
+
+class vbgpd_view(Record):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("type", c_int32),
+        ("data", c_void_p),
+        ("count", c_int64),
+        ("components", c_int64),
+        ("stride_item", c_int64),
+        ("stride_component", c_int64),
+        ("epoch", c_int64),
+        ("lease", c_int64),
+    ]
+
+
+class vbgpd_event(Record):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("sequence", c_int64),
+        ("step", c_int64),
+        ("time", c_double),
+        ("id_a", c_int64),
+        ("id_b", c_int64),
+        ("x", c_double),
+        ("y", c_double),
+        ("value", c_double),
+    ]
 
 # ---- callback
 vbgpd_progress_fn = ctypes.CFUNCTYPE(c_int32, c_void_p, POINTER(vbgpd_progress))
@@ -237,6 +302,7 @@ FUNCTIONS = {
     # slope profile
     "vbgpd_profile_create": (c_int32, (vbgpd_context, POINTER(vbgpd_profile))),
     "vbgpd_profile_create_from_flatbuffer": (c_int32, (vbgpd_context, c_void_p, c_int64, POINTER(vbgpd_profile))),
+    "vbgpd_profile_to_flatbuffer": (c_int32, (vbgpd_profile, c_void_p, c_int64, POINTER(c_int64))),
     "vbgpd_profile_destroy": (c_int32, (vbgpd_profile,)),
     "vbgpd_profile_set_exterior": (c_int32, (vbgpd_profile, POINTER(c_double), c_int64, c_int64)),
     "vbgpd_profile_add_material": (c_int32, (vbgpd_profile, c_char_p, c_int64, POINTER(c_int64))),
@@ -264,6 +330,16 @@ FUNCTIONS = {
     "vbgpd_model_plan": (c_int32, (vbgpd_model, c_int64, POINTER(vbgpd_feature))),
     "vbgpd_model_step": (c_int32, (vbgpd_model, c_int64, POINTER(vbgpd_advance_result))),
     "vbgpd_model_cancel": (c_int32, (vbgpd_model,)),
+    "vbgpd_model_advance_to": (
+        c_int32, (vbgpd_model, c_double, c_double, vbgpd_progress_fn, c_void_p, POINTER(vbgpd_advance_result))),
+    "vbgpd_model_epoch": (c_int32, (vbgpd_model, POINTER(c_int64))),
+    # save and restore
+    "vbgpd_model_save_state": (c_int32, (vbgpd_model, POINTER(vbgpd_state))),
+    "vbgpd_model_restore_state": (c_int32, (vbgpd_model, vbgpd_state)),
+    "vbgpd_state_destroy": (c_int32, (vbgpd_state,)),
+    "vbgpd_model_checkpoint": (c_int32, (vbgpd_model, c_void_p, c_int64, POINTER(c_int64))),
+    "vbgpd_model_create_from_checkpoint": (c_int32, (vbgpd_context, c_void_p, c_int64, POINTER(vbgpd_model))),
+    "vbgpd_model_restore_checkpoint": (c_int32, (vbgpd_model, c_void_p, c_int64)),
     # jobs: long analyses in slices
     "vbgpd_job_create_equilibrium": (c_int32, (vbgpd_model, POINTER(vbgpd_job))),
     "vbgpd_job_create_strength_reduction": (c_int32, (vbgpd_model, POINTER(vbgpd_job))),
@@ -285,7 +361,41 @@ FUNCTIONS = {
         c_int32, (vbgpd_model, c_int32, POINTER(c_double), c_int64, c_int64, c_int64, POINTER(c_int64))),
     "vbgpd_model_read_i64": (
         c_int32, (vbgpd_model, c_int32, POINTER(c_int64), c_int64, c_int64, c_int64, POINTER(c_int64))),
+    "vbgpd_model_select": (
+        c_int32, (vbgpd_model, POINTER(vbgpd_selection), POINTER(c_int64), c_int64, c_int64, POINTER(c_int64))),
+    "vbgpd_model_read_selected_f64": (
+        c_int32, (vbgpd_model, c_int32, POINTER(vbgpd_selection), POINTER(c_double), c_int64, c_int64, c_int64,
+         POINTER(c_int64))),
+    "vbgpd_model_read_selected_i64": (
+        c_int32, (vbgpd_model, c_int32, POINTER(vbgpd_selection), POINTER(c_int64), c_int64, c_int64, c_int64,
+         POINTER(c_int64))),
+    "vbgpd_model_sample_points": (
+        c_int32, (vbgpd_model, c_int32, POINTER(c_double), c_int64, c_int64, POINTER(c_double), c_int64, c_int64,
+         POINTER(c_int64), c_int64)),
+    "vbgpd_model_sample_line": (
+        c_int32, (vbgpd_model, c_int32, c_double, c_double, c_double, c_double, c_int64, POINTER(c_double), c_int64,
+         c_int64, POINTER(c_int64), c_int64)),
+    "vbgpd_model_sample_grid": (
+        c_int32, (vbgpd_model, c_int32, c_double, c_double, c_double, c_double, c_int64, c_int64, POINTER(c_double),
+         c_int64, c_int64, POINTER(c_int64), c_int64)),
+    "vbgpd_model_ground_surface": (c_int32, (vbgpd_model, POINTER(c_double), c_int64, c_int64, POINTER(c_int64))),
+    "vbgpd_model_view_acquire": (c_int32, (vbgpd_model, c_int32, POINTER(vbgpd_view))),
+    "vbgpd_model_view_release": (c_int32, (vbgpd_model, c_int64)),
     "vbgpd_model_state_hash": (c_int32, (vbgpd_model, POINTER(c_uint64))),
+    # events
+    "vbgpd_model_events_read": (
+        c_int32, (vbgpd_model, c_int64, POINTER(vbgpd_event), c_int64, c_int64, POINTER(c_int64), POINTER(c_int64))),
+    # setting from outside: stays until set again
+    "vbgpd_model_write_f64": (
+        c_int32, (vbgpd_model, c_int32, POINTER(vbgpd_selection), POINTER(c_double), c_int64, c_int64, c_int64)),
+    "vbgpd_model_write_points": (
+        c_int32, (vbgpd_model, c_int32, POINTER(c_double), c_int64, POINTER(c_double), c_int64, c_int64, c_int64)),
+    "vbgpd_model_write_grid": (
+        c_int32, (vbgpd_model, c_int32, c_double, c_double, c_double, c_double, c_int64, c_int64, POINTER(c_double),
+         c_int64)),
+    "vbgpd_model_set_load": (c_int32, (vbgpd_model, c_int64, c_double, c_double)),
+    "vbgpd_model_set_boundary_velocity": (c_int32, (vbgpd_model, c_int64, c_double, c_double)),
+    "vbgpd_model_boundary_reaction": (c_int32, (vbgpd_model, c_int64, POINTER(c_double), POINTER(c_double))),
 }
 
 

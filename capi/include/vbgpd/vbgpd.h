@@ -65,6 +65,7 @@ typedef int32_t vbgpd_status;
 #define VBGPD_E_MEMORY -3
 #define VBGPD_E_LIMIT -4 /* max_particles of the context */
 #define VBGPD_E_BUSY -5  /* another thread is inside this object */
+#define VBGPD_E_LEASED -6 /* a view of this model is still held: release it first */
 #define VBGPD_E_REENTRANT -7
 #define VBGPD_E_STATE -8    /* not allowed in this phase */
 #define VBGPD_E_GEOMETRY -9 /* profile not simple, layer outside ...; see the error record and the issues */
@@ -82,6 +83,7 @@ typedef struct vbgpd_context vbgpd_context; /* threads, limits; cheap; no proces
 typedef struct vbgpd_profile vbgpd_profile; /* slope profile: polygons, materials, loads, supports */
 typedef struct vbgpd_model vbgpd_model;     /* particles and virtual bonds, at a time */
 typedef struct vbgpd_job vbgpd_job;         /* equilibrium or strength reduction, advanced in slices */
+typedef struct vbgpd_state vbgpd_state;     /* a saved instant of a model, in memory */
 
 #define VBGPD_OBJECT_CONTEXT 1
 #define VBGPD_OBJECT_PROFILE 2
@@ -91,6 +93,7 @@ typedef struct vbgpd_job vbgpd_job;         /* equilibrium or strength reduction
 #define VBGPD_OBJECT_BOUNDARY 6
 #define VBGPD_OBJECT_MODEL 7
 #define VBGPD_OBJECT_JOB 8
+#define VBGPD_OBJECT_STATE 9
 
 /* What went wrong, where: for a program to highlight. The text is a whole sentence for a person. */
 typedef struct vbgpd_error_info {
@@ -144,6 +147,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_info_at(int32_t object_kind, in
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_create(vbgpd_context*, vbgpd_profile** out);
 /* A scene from a flatbuffer (schema core/exchange/vbgpd.fbs, file identifier "VBGP"); bytes are verified and copied. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_create_from_flatbuffer(vbgpd_context*, const void* bytes, int64_t len, vbgpd_profile** out);
+/* The profile as such a flatbuffer; cap and *needed count bytes, cap 0 asks for the size, too small gives VBGPD_E_BUFFER. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_to_flatbuffer(const vbgpd_profile*, void* buf, int64_t cap, int64_t* needed);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_destroy(vbgpd_profile*);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_exterior(vbgpd_profile*, const double* xy, int64_t stride, int64_t n);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_material(vbgpd_profile*, const char* name, int64_t len, int64_t* material_id);
@@ -176,8 +181,10 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_issue(const vbgpd_profile*, int6
  * An invalid profile gives the status of its first error; the context's error record has all errors in its text. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create(vbgpd_context*, const vbgpd_profile*, vbgpd_model** out);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_destroy(vbgpd_model*);
-/* "damping" (local damping coefficient of _step, [0, 1), default 0), "strength_reduction_factor" (default 1),
- * "time_step_factor" (time step of _step over the stable one, default 0.68; above 1 it diverges) */
+/* "damping" (local damping coefficient of dynamic steps, [0, 1), default 0), "strength_reduction_factor" (default 1),
+ * "time_step_factor" (time step of dynamic steps over the stable one, default 0.68; above 1 they diverge),
+ * "kh", "kv" (pseudo-static coefficients, at first those of the profile; weight acts times 1 + kv). May be set between
+ * any two steps; VBGPD_E_RANGE, VBGPD_E_UNKNOWN_NAME, VBGPD_E_STATE (cannot be set). */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* name, int64_t len, double value);
 /* the above and: time, steps, stable_time_step, time_step, unbalanced_force_ratio, max_displacement, max_velocity,
  * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds, plastic_bonds,
@@ -224,6 +231,36 @@ typedef struct vbgpd_advance_result {
  * at every 512 steps, not where walls are moved); the model is back at the last good step and readable. VBGPD_CANCELLED: between two steps. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_step(vbgpd_model*, int64_t steps, vbgpd_advance_result* r);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_cancel(vbgpd_model*); /* [any-thread] [signal-safe] */
+/* Dynamic steps of equal length, none longer than the stable one, that end exactly at time (s); VBGPD_OK = there.
+ * VBGPD_LIMIT_REACHED: wall_seconds (<= 0: no limit) are over; VBGPD_CANCELLED: by vbgpd_model_cancel or fn; call again
+ * with the same time to go on, the result is that of an uninterrupted run, bit by bit. fn (may be NULL) is called at most
+ * about ten times a second; in its progress level, trial and phase are 0. r may be NULL.
+ * VBGPD_E_RANGE: the model is already past time. VBGPD_E_DIVERGED as _step. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_advance_to(vbgpd_model*, double time, double wall_seconds, vbgpd_progress_fn fn, void* user, vbgpd_advance_result* r);
+/* Grows whenever particles are added, removed or stored in another order: storage order of another epoch is void. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_epoch(const vbgpd_model*, int64_t* epoch);
+
+/* Calls that change a model give VBGPD_E_LEASED while a view of it is held, and VBGPD_E_STATE while one of its jobs has
+ * begun and not ended: the job counts on what it found. Finish or destroy the job first. */
+
+/* ---- save and restore ------------------------------------------------------------------------------------- */
+/* A saved instant: displacements, velocities, plastic strains, time, forces, pressures and loads from outside. In memory,
+ * for trying a step and taking it back (implicit coupling). _save_state fills *inout, or makes a new state where that is
+ * NULL; it costs one copy of the state. A state fits only the model it was saved from: others give VBGPD_E_ARGUMENT. It
+ * may outlive the model. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_save_state(const vbgpd_model*, vbgpd_state** inout);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_restore_state(vbgpd_model*, const vbgpd_state*);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_state_destroy(vbgpd_state*);
+/* The model with its profile as bytes for a file or another process: a flatbuffer (core/exchange/checkpoint.fbs, file
+ * identifier "VBGC"). cap and *needed count bytes; cap 0 asks for the size, too small gives VBGPD_E_BUFFER. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_checkpoint(const vbgpd_model*, void* buf, int64_t cap, int64_t* needed);
+/* A model from such bytes, in this process or another one, with the threads and limits of the context. It goes on as the
+ * old one would have: with the same build on a processor of the same kind bit by bit, at any thread count. Bytes are
+ * verified, checked against all ranges and copied before anything is built: VBGPD_E_FORMAT; a newer format gives
+ * VBGPD_E_VERSION. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_from_checkpoint(vbgpd_context*, const void* bytes, int64_t len, vbgpd_model** out);
+/* Takes a model of the same profile back to a checkpoint; VBGPD_E_FORMAT when it is of another section. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_restore_checkpoint(vbgpd_model*, const void* bytes, int64_t len);
 
 /* ---- jobs: long analyses in slices ------------------------------------------------------------------------- */
 /* A job works on the model it was made for; while a slice runs that model answers VBGPD_E_BUSY to other threads and
@@ -299,6 +336,8 @@ typedef struct vbgpd_field_info {
   int32_t location; /* VBGPD_AT_* */
   int32_t components;
   const char *name, *unit, *doc; /* static text; unit UDUNITS */
+  int32_t writable;              /* 1 = vbgpd_model_write_f64 and its sisters take it */
+  int32_t reserved;
 } vbgpd_field_info;
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_count(int64_t* n);                            /* [any-thread] */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_field_info_at(int64_t i, vbgpd_field_info* info);   /* [any-thread] */
@@ -309,8 +348,101 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_item_count(const vbgpd_model*, int
  * full count; cap too small gives VBGPD_E_BUFFER. read_i64 wants an integer field, read_f64 takes either. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_f64(const vbgpd_model*, int32_t field, double* dst, int64_t stride_item, int64_t stride_component, int64_t cap, int64_t* n);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_i64(const vbgpd_model*, int32_t field, int64_t* dst, int64_t stride_item, int64_t stride_component, int64_t cap, int64_t* n);
+/* Which particles. Set struct_size and kind; members a kind does not name are not read. Shorter structs may leave out
+ * what their kind does not need. Results come by particle id, ascending; IDS in the order given. */
+#define VBGPD_SELECT_ALL 0
+#define VBGPD_SELECT_IDS 1      /* ids, ids_stride (bytes), n_ids */
+#define VBGPD_SELECT_BOX 2      /* xmin, ymin, xmax, ymax: present position, rim included */
+#define VBGPD_SELECT_POLYGON 3  /* xy, xy_stride, n_points: present position */
+#define VBGPD_SELECT_MATERIAL 4 /* object_id: soil of a material */
+#define VBGPD_SELECT_LAYER 5    /* object_id: soil whose undeformed position a layer of the profile painted last */
+#define VBGPD_SELECT_BOUNDARY 6 /* object_id: wall particles of a boundary */
+#define VBGPD_SELECT_SOIL 7     /* all that are no wall particles */
+typedef struct vbgpd_selection {
+  uint32_t struct_size;
+  int32_t kind;      /* VBGPD_SELECT_* */
+  int64_t object_id;
+  double xmin, ymin, xmax, ymax;
+  const int64_t* ids;
+  int64_t ids_stride, n_ids;
+  const double* xy;
+  int64_t xy_stride, n_points;
+} vbgpd_selection;
+/* The ids of the selected particles; cap, stride (bytes, 8 = packed) and *n as above. selection NULL = all. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_select(const vbgpd_model*, const vbgpd_selection* selection, int64_t* ids, int64_t stride, int64_t cap, int64_t* n);
+/* As vbgpd_model_read_f64 and _i64, of the selected particles only; bond fields give VBGPD_E_ARGUMENT. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_selected_f64(const vbgpd_model*, int32_t field, const vbgpd_selection* selection, double* dst, int64_t stride_item, int64_t stride_component, int64_t cap, int64_t* n);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_selected_i64(const vbgpd_model*, int32_t field, const vbgpd_selection* selection, int64_t* dst, int64_t stride_item, int64_t stride_component, int64_t cap, int64_t* n);
+/* A particle field of real numbers at n places in the present shape: the plane fitted by the kernel of the method through
+ * the soil particles around, exact for linear fields. inside (may be NULL) gets 1, or 0 where no soil is (value NaN). */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_sample_points(const vbgpd_model*, int32_t field, const double* xy, int64_t stride_xy, int64_t n, double* dst, int64_t stride_item, int64_t stride_component, int64_t* inside, int64_t stride_inside);
+/* n places at equal distances from (x0, y0) to (x1, y1), both ends included. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_sample_line(const vbgpd_model*, int32_t field, double x0, double y0, double x1, double y1, int64_t n, double* dst, int64_t stride_item, int64_t stride_component, int64_t* inside, int64_t stride_inside);
+/* nx times ny places x0 + i*dx, y0 + j*dy; item i + nx*j. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_sample_grid(const vbgpd_model*, int32_t field, double x0, double y0, double dx, double dy, int64_t nx, int64_t ny, double* dst, int64_t stride_item, int64_t stride_component, int64_t* inside, int64_t stride_inside);
+/* The ground surface in its present shape, left to right, a point about every spacing; rules as vbgpd_profile_polygon. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_ground_surface(const vbgpd_model*, double* xy, int64_t stride, int64_t cap, int64_t* n);
+
+/* Zero copy: a particle field as it is stored, padding included: component c of item i lies at data + i*stride_item +
+ * c*stride_component bytes. displacement, velocity, mass, volume (double) and particle_id (int64_t, -1 = padding) can be
+ * viewed, the others give VBGPD_E_UNSUPPORTED. Read only. Until the lease is released the data stay where they are and
+ * calls that would change the model give VBGPD_E_LEASED. Destroying the model ends all leases. */
+typedef struct vbgpd_view {
+  uint32_t struct_size;
+  int32_t type;                           /* VBGPD_TYPE_* */
+  const void* data;
+  int64_t count, components;
+  int64_t stride_item, stride_component;  /* bytes */
+  int64_t epoch, lease;
+} vbgpd_view;
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_view_acquire(vbgpd_model*, int32_t field, vbgpd_view* view);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_view_release(vbgpd_model*, int64_t lease);
 /* 64-bit hash of everything that changes in the model: same run = same hash, at any thread count. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_state_hash(const vbgpd_model*, uint64_t* hash);
+
+/* ---- events ------------------------------------------------------------------------------------------------ */
+/* What happened, noticed at the end of the call that made it happen; the last 256 are kept, to be polled. */
+#define VBGPD_EVENT_FIRST_YIELD 1 /* the first bonds turned plastic: id_a, id_b and x, y of the one that did most, value its strain */
+#define VBGPD_EVENT_AT_REST 2     /* dynamic steps came to rest: value = unbalanced force ratio, below 1e-5 */
+#define VBGPD_EVENT_MECHANISM 3   /* a job found the slope failing: value = strength reduction factor of the model */
+#define VBGPD_EVENT_DIVERGED 4    /* the model is back at the last good step */
+typedef struct vbgpd_event {
+  uint32_t struct_size;
+  int32_t kind;         /* VBGPD_EVENT_* */
+  int64_t sequence;     /* counts from 1 */
+  int64_t step;         /* dynamic steps done when it was noticed */
+  double time;          /* s */
+  int64_t id_a, id_b;   /* particle ids, -1 = none */
+  double x, y, value;   /* NaN = none */
+} vbgpd_event;
+/* Events with a sequence above after (0 = all), oldest first, stride bytes apart; dst->struct_size holds for all of them.
+ * cap counts events; *n gets how many were given (cap 0: how many there are), *dropped how many are kept no longer. Both
+ * may be NULL. Reading takes nothing away. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_events_read(vbgpd_model*, int64_t after, vbgpd_event* dst, int64_t stride, int64_t cap, int64_t* n, int64_t* dropped);
+
+/* ---- setting from outside: stays until set again ------------------------------------------------------------ */
+/* Between any two steps. Writable fields (field_info.writable):
+ * pore_pressure (Pa, compression positive, may be negative): from then on bonds carry effective stress; total stress is
+ *   stress - pore_pressure. The pressure goes on into the wall particles: set them too (_points and _grid do). Where it is
+ *   not 0 at the ground, the water standing there is a load of its own. Jobs count it in, on every grid.
+ * external_force (N per metre run, x and y): added to weight and loads.
+ * velocity (m/s): of what walls do not hold; the energy ledger books it as external work.
+ * A number that is not finite gives VBGPD_E_RANGE with the particle in the error record's item. */
+/* n items in the order of the selection (NULL = all particles by id); n must be their number. strides as _read_f64. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_f64(vbgpd_model*, int32_t field, const vbgpd_selection* selection, const double* src, int64_t stride_item, int64_t stride_component, int64_t n);
+/* Values at n places of another program, e.g. nodes of a seepage mesh, brought to all particles at their present
+ * positions by the plane through the eight nearest places, weighted 1/d^2: exact for linear fields and at the places. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_points(vbgpd_model*, int32_t field, const double* xy, int64_t stride_xy, const double* src, int64_t stride_item, int64_t stride_component, int64_t n);
+/* Values on a raster, item i + nx*j at x0 + i*dx, y0 + j*dy, bilinear, continued linearly beyond its rim. NaN = no value:
+ * particles that would need it keep what they have. One component only. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_grid(vbgpd_model*, int32_t field, double x0, double y0, double dx, double dy, int64_t nx, int64_t ny, const double* src, int64_t stride_item);
+/* Pressures of a load of the profile (Pa, down positive). VBGPD_E_ARGUMENT: no such load. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_load(vbgpd_model*, int64_t load_id, double pressure, double pressure_end);
+/* Of a boundary of kind VBGPD_BOUNDARY_VELOCITY, m/s; another kind gives VBGPD_E_STATE. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_boundary_velocity(vbgpd_model*, int64_t boundary_id, double vx, double vy);
+/* The force of a boundary on the soil, N per metre run, of total stress: on a slope at rest the reactions of all boundaries
+ * balance weight, loads and forces from outside on the soil. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_boundary_reaction(const vbgpd_model*, int64_t boundary_id, double* fx, double* fy);
 
 #ifdef __cplusplus
 }

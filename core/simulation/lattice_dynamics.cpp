@@ -1,0 +1,80 @@
+// Dynamic steps of a lattice simulation: so many, or to an exact time.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/wording.h"
+#include "simulation/lattice_simulation.h"
+
+namespace vbgpd {
+
+StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* cancel) {
+  return march({steps, std::numeric_limits<Real>::infinity()}, [&] {
+    return cancel != nullptr && cancel->load(std::memory_order_relaxed) ? Status::kCancelled : Status::kOk;
+  });
+}
+
+StepReport LatticeSimulation::advance_to(double time, const StepWatch& watch) {
+  if (!(time >= time_ && std::isfinite(time))) {
+    Issue issue;
+    issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = time;
+    issue.text = "cannot advance to " + number_text(time) + " s: the model is at " + number_text(time_) + " s";
+    throw Error(issue);
+  }
+  return march({std::numeric_limits<std::int64_t>::max(), time}, watch);
+}
+
+StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
+  StepReport report;
+  const Workers::Session session(workers_);
+  if (!dynamic_mobility_x_.present()) set_mobility(model_.mass, dynamic_mobility_x_, dynamic_mobility_y_);
+  const Real longest = dynamic_time_step();
+  Controls c;
+  c.local_damping = damping_;
+  c.mobility_x = dynamic_mobility_x_.data(), c.mobility_y = dynamic_mobility_y_.data();
+  c.constants = constants_.data();
+  c.dilation_cap = dilation_cap_.data();
+  c.cohesion_scale = 1 / factor_;
+  c.ledger = true;
+  // A particle that outruns the waves has left the method; the state of at most kKeep steps before is the last good
+  // one.
+  constexpr std::int64_t kKeep = 64;
+  const Real runaway = 4 / (longest * longest) * section_.lattice.spacing.squaredNorm();
+  State kept = state_;
+  Ledger kept_ledger = ledger_;
+  std::int64_t kept_at = 0;
+  Real kept_time = time_;
+  const std::int64_t steps_before = steps_;
+  if (!audit_.valid) begin_audit();
+  while (report.steps < goal.steps && time_ < goal.time) {
+    report.status = watch();
+    if (report.status != Status::kOk) return report;
+    // towards a time in steps of equal length, a function of the present time alone: interruptions change no bit
+    const Real left = goal.time - time_;
+    const Real parts = std::isfinite(left) ? std::max<Real>(1, std::ceil(left / longest * (1 - 1e-12))) : 0;
+    c.time_step = parts > 0 ? left / parts : longest;
+    if (report.steps - kept_at >= kKeep)
+      kept = state_, kept_ledger = ledger_, kept_at = report.steps, kept_time = time_;
+    Sums sums;
+    run_step(state_, scratch_, c, sums);
+    if (!(sums.velocity2 < runaway)) {
+      state_ = kept, ledger_ = kept_ledger;
+      steps_ -= report.steps - kept_at, time_ = kept_time;
+      report.steps = kept_at;
+      report.status = Status::kDiverged;
+      return report;
+    }
+    ledger_.external += sums.external_work, ledger_.damping -= sums.damping_work, ledger_.plastic += sums.plastic_work;
+    ++steps_, ++report.steps;
+    time_ = parts == 1 ? goal.time : time_ + c.time_step;
+    last_time_step_ = c.time_step;
+    if (!passes_audit()) {
+      report.steps = std::max<std::int64_t>(0, steps_ - steps_before);
+      report.status = Status::kDiverged;
+      return report;
+    }
+  }
+  return report;
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,207 @@
+// A lattice simulation as plain data and back, by particle id: the pack width of the machine does not matter.
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/build_model.h"
+#include "simulation/lattice_simulation.h"
+
+namespace vbgpd {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& text) { throw Error(Status::kFormat, "the checkpoint " + text); }
+
+double number(const StateImage& image, std::string_view name, double low, double high) {
+  for (const StateImage::Number& n : image.numbers) {
+    if (n.name != name) continue;
+    if (n.value >= low && n.value <= high) return n.value;
+    refuse("has an impossible " + n.name);
+  }
+  refuse("lacks the number " + std::string(name));
+}
+
+/// Values of an array of that many rows, or nullptr when the checkpoint has none of that name.
+const std::vector<double>* rows(const StateImage& image, std::string_view name, int components, std::size_t count) {
+  for (const StateImage::Rows& r : image.rows) {
+    if (r.name != name) continue;
+    if (r.components != components || r.values.size() != count * static_cast<std::size_t>(components))
+      refuse("has the wrong number of values of " + r.name);
+    for (const double v : r.values)
+      if (!std::isfinite(v)) refuse("has a value of " + r.name + " that is not finite");
+    return &r.values;
+  }
+  return nullptr;
+}
+
+/// Particle arrays between storage order and rows by id.
+class ById {
+ public:
+  explicit ById(const Model& m) : m_(m) {}
+  std::vector<double> gather(std::initializer_list<const Array*> arrays) const {
+    std::vector<double> out(m_.id_of.size() * arrays.size());
+    std::size_t c = 0;
+    for (const Array* a : arrays) {
+      for (std::size_t k = 0; k < m_.id_of.size(); ++k)
+        out[static_cast<std::size_t>(m_.id_of[k]) * arrays.size() + c] =
+            (*a)[static_cast<std::size_t>(m_.storage_of[k])];
+      ++c;
+    }
+    return out;
+  }
+  void scatter(const std::vector<double>& rows, std::initializer_list<Array*> arrays) const {
+    std::size_t c = 0;
+    for (Array* a : arrays) {
+      for (std::size_t k = 0; k < m_.id_of.size(); ++k)
+        (*a)[static_cast<std::size_t>(m_.storage_of[k])] =
+            rows[static_cast<std::size_t>(m_.id_of[k]) * arrays.size() + c];
+      ++c;
+    }
+  }
+
+ private:
+  const Model& m_;
+};
+
+/// Calls f(id of one end, id of the other, index of plastic xx) for every bond; both ids are the same without bonds.
+template <class F>
+void for_each_record(const Model& m, F&& f) {
+  const bool bonded = m.features.bond != BondLaw::kNone;
+  const auto id = [&](std::size_t i) { return m.id_of[static_cast<std::size_t>(m.seed_of[i])]; };
+  for (const BondPack& p : m.packs)
+    for (int l = 0; l < m.width; ++l) {
+      const auto i = static_cast<std::size_t>(p.i + l), j = static_cast<std::size_t>(p.j + l);
+      if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
+      const auto first = static_cast<std::size_t>(bonded ? p.slot * m.width : p.i);
+      f(id(i), id(j), 3 * first + static_cast<std::size_t>(l));
+    }
+}
+
+/// The plastic strain of an image in storage order; every bond it names must exist, once.
+void take_plastic(const Model& m, const std::vector<StateImage::PlasticBond>& plastic, Array& strain) {
+  struct Entry {
+    std::int32_t a, b;
+    const StateImage::PlasticBond* bond;
+    bool operator<(const Entry& o) const { return a != o.a ? a < o.a : b < o.b; }
+  };
+  std::vector<Entry> wanted;
+  for (const StateImage::PlasticBond& p : plastic) {
+    if (!std::isfinite(p.xx) || !std::isfinite(p.yy) || !std::isfinite(p.xy))
+      refuse("has a plastic strain that is not finite");
+    wanted.push_back({std::min(p.a, p.b), std::max(p.a, p.b), &p});
+  }
+  std::sort(wanted.begin(), wanted.end());
+  std::size_t found = 0;
+  const auto width = static_cast<std::size_t>(m.width);
+  for_each_record(m, [&](std::int32_t a, std::int32_t b, std::size_t record) {
+    const Entry key{std::min(a, b), std::max(a, b), nullptr};
+    const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
+    if (at == wanted.end() || key < *at) return;
+    strain[record] = at->bond->xx, strain[record + width] = at->bond->yy, strain[record + 2 * width] = at->bond->xy;
+    ++found;
+  });
+  if (found != wanted.size()) refuse("names bonds that this section does not have");
+}
+
+}  // namespace
+
+StateImage LatticeSimulation::image() const {
+  StateImage out;
+  const ById by_id(model_);
+  out.particles = model_.particles, out.bonds = model_.bonds, out.hash = state_hash();
+  out.numbers = {{"time", time_},
+                 {"steps", static_cast<double>(steps_)},
+                 {"last_time_step", last_time_step_},
+                 {"since_restart", static_cast<double>(since_restart_)},
+                 {"pack_width", static_cast<double>(model_.width)},
+                 {"strength_reduction_factor", factor_},
+                 {"damping", damping_},
+                 {"kh", drive_.kh},
+                 {"kv", drive_.kv},
+                 {"external_work", ledger_.external},
+                 {"damping_dissipation", ledger_.damping},
+                 {"plastic_dissipation", ledger_.plastic}};
+  out.rows.push_back({"displacement", 2, by_id.gather({&state_.displacement_x, &state_.displacement_y})});
+  out.rows.push_back({"velocity", 2, by_id.gather({&state_.velocity_x, &state_.velocity_y})});
+  if (state_.plastic_volume.present())
+    out.rows.push_back({"plastic_volume", 1, by_id.gather({&state_.plastic_volume})});
+  if (outside_.pore_pressure.present())
+    out.rows.push_back({"pore_pressure", 1, by_id.gather({&outside_.pore_pressure})});
+  if (outside_.external_x.present() || outside_.external_y.present()) {
+    std::vector<double> force;
+    read(find_field("external_force"), force);
+    out.rows.push_back({"external_force", 2, std::move(force)});
+  }
+  std::vector<double> pressures, velocities;
+  for (const LoadDef& l : drive_.loads) pressures.insert(pressures.end(), {l.pressure, l.pressure_end});
+  for (const Vec2& v : drive_.velocities) velocities.insert(velocities.end(), {v.x(), v.y()});
+  out.rows.push_back({"load_pressure", 2, std::move(pressures)});
+  out.rows.push_back({"boundary_velocity", 2, std::move(velocities)});
+  if (state_.plastic_strain.present()) {
+    const auto width = static_cast<std::size_t>(model_.width);
+    const Array& p = state_.plastic_strain;
+    for_each_record(model_, [&](std::int32_t a, std::int32_t b, std::size_t r) {
+      if (p[r] != 0 || p[r + width] != 0 || p[r + 2 * width] != 0)
+        out.plastic.push_back({a, b, p[r], p[r + width], p[r + 2 * width]});
+    });
+  }
+  return out;
+}
+
+void LatticeSimulation::restore_image(const StateImage& image) {
+  if (image.particles != model_.particles || image.bonds != model_.bonds)
+    refuse("is of " + std::to_string(image.particles) + " particles and " + std::to_string(image.bonds) +
+           " bonds; this model has " + std::to_string(model_.particles) + " and " + std::to_string(model_.bonds));
+  constexpr double kLarge = 1e300, kCount = 1e15;
+  const double time = number(image, "time", 0, kLarge), steps = number(image, "steps", 0, kCount);
+  const double last_step = number(image, "last_time_step", 0, kLarge);
+  const double since_restart = number(image, "since_restart", 0, kCount);
+  const double factor = number(image, "strength_reduction_factor", 1e-3, 1e3);
+  const double damping = number(image, "damping", 0, std::nextafter(1.0, 0.0));
+  Ledger ledger;
+  ledger.external = number(image, "external_work", -kLarge, kLarge);
+  ledger.damping = number(image, "damping_dissipation", -kLarge, kLarge);
+  ledger.plastic = number(image, "plastic_dissipation", -kLarge, kLarge);
+
+  const ById by_id(model_);
+  State state;
+  state.allocate(model_);
+  const auto n = section_.seeds.size();
+  const auto take = [&](const char* name, std::initializer_list<Array*> arrays) {
+    const auto* values = rows(image, name, static_cast<int>(arrays.size()), n);
+    if (values == nullptr) refuse("lacks the array " + std::string(name));
+    by_id.scatter(*values, arrays);
+  };
+  take("displacement", {&state.displacement_x, &state.displacement_y});
+  take("velocity", {&state.velocity_x, &state.velocity_y});
+  if (state.plastic_volume.present()) take("plastic_volume", {&state.plastic_volume});
+  if (!state.plastic_strain.present() && !image.plastic.empty()) refuse("has plastic strain where nothing yields");
+  if (state.plastic_strain.present()) take_plastic(model_, image.plastic, state.plastic_strain);
+
+  Drive drive = drive_;
+  drive.kh = number(image, "kh", -1, 1), drive.kv = number(image, "kv", -1, 1);
+  if (const auto* p = rows(image, "load_pressure", 2, drive.loads.size()))
+    for (std::size_t k = 0; k < drive.loads.size(); ++k)
+      drive.loads[k].pressure = (*p)[2 * k], drive.loads[k].pressure_end = (*p)[2 * k + 1];
+  if (const auto* v = rows(image, "boundary_velocity", 2, drive.velocities.size()))
+    for (std::size_t k = 0; k < drive.velocities.size(); ++k) drive.velocities[k] = Vec2((*v)[2 * k], (*v)[2 * k + 1]);
+  Outside outside;
+  const auto storage = static_cast<std::size_t>(model_.storage);
+  if (const auto* p = rows(image, "pore_pressure", 1, n))
+    outside.pore_pressure.allocate(storage, 2), by_id.scatter(*p, {&outside.pore_pressure});
+  if (const auto* f = rows(image, "external_force", 2, n)) {
+    outside.external_x.allocate(storage, 3), outside.external_y.allocate(storage, 4);
+    by_id.scatter(*f, {&outside.external_x, &outside.external_y});
+  }
+  // the hash goes through the storage, whose padding depends on the pack width
+  if (number(image, "pack_width", 1, 64) == model_.width && state.hash() != image.hash)
+    refuse("does not hold the state it says: its hash differs");
+
+  std::vector<LawConstants> constants = pair_constants(model_, factor, false);
+  take_forces(std::move(drive), std::move(outside));
+  take_constants(factor, std::move(constants));
+  state_ = std::move(state);
+  time_ = time, last_time_step_ = last_step, damping_ = damping, ledger_ = ledger;
+  steps_ = static_cast<std::int64_t>(steps), since_restart_ = static_cast<std::int64_t>(since_restart);
+}
+
+}  // namespace vbgpd

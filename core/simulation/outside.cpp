@@ -1,0 +1,33 @@
+#include "simulation/outside.h"
+
+namespace vbgpd {
+
+PoreFlux::PoreFlux(const Model& m, const Array& pressure) {
+  const auto n = static_cast<std::size_t>(m.storage);
+  xx.allocate(n, 4), xy.allocate(n, 5), yy.allocate(n, 6);
+  // VB5 for an isotropic stress: V_i S_i = m I sum_j B_ij/2, and no pair force
+  const bool bonded = m.features.bond != BondLaw::kNone;
+  for (const BondPack& p : m.packs)
+    for (int l = 0; l < m.width; ++l) {
+      const auto i = static_cast<std::size_t>(p.i + l), j = static_cast<std::size_t>(p.j + l);
+      if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
+      const Real bond_volume =
+          bonded ? m.offsets[p.offset].weight * (m.volume[i] * m.share[j] + m.share[i] * m.volume[j]) : m.volume[i];
+      const Real half = -(pressure[i] + pressure[j]) / 2 * bond_volume / 2;
+      xx[i] += half, xx[j] += half;  // without bonds i == j: the whole of it
+    }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (m.seed_of[i] < 0) continue;
+    const Real flux = xx[i] / m.volume[i];
+    xx[i] = flux * m.moment_xx[i], xy[i] = flux * m.moment_xy[i], yy[i] = flux * m.moment_yy[i];
+  }
+}
+
+void add_pore_force(const Array& pressure, Model& m) {
+  const PoreFlux flux(m, pressure);
+  for_each_flux_force(m, flux.nodal(), [&](std::size_t i, std::size_t, const Vec2& force) {
+    m.force_x[i] += force.x(), m.force_y[i] += force.y();
+  });
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,23 @@
+// What a kind of simulation says to a request it has no answer for.
+#include "simulation/simulation.h"
+
+namespace vbgpd {
+
+namespace {
+
+[[noreturn]] void unsupported(const char* what) {
+  throw Error(Status::kUnsupported, std::string("this kind of model cannot ") + what);
+}
+
+}  // namespace
+
+StepReport Simulation::advance_to(double, const StepWatch&) { unsupported("advance to an exact time"); }
+void Simulation::write(int, const std::vector<double>&) { unsupported("take over fields from outside"); }
+const Drive& Simulation::drive() const { unsupported("tell what drives it"); }
+void Simulation::set_drive(const Drive&) { unsupported("change loads while it runs"); }
+Vec2 Simulation::boundary_reaction(std::size_t) const { unsupported("tell the reaction of a boundary"); }
+FieldView Simulation::view(int) const { unsupported("lend its arrays"); }
+StateImage Simulation::image() const { unsupported("be written to a checkpoint"); }
+void Simulation::restore_image(const StateImage&) { unsupported("be restored from a checkpoint"); }
+
+}  // namespace vbgpd

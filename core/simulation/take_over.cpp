@@ -1,0 +1,68 @@
+#include "simulation/take_over.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "simulation/scattered.h"
+
+namespace vbgpd {
+
+namespace {
+
+std::vector<double> read(const Simulation& simulation, const char* field) {
+  std::vector<double> rows;
+  simulation.read(find_field(field), rows);
+  return rows;
+}
+
+bool all_zero(const std::vector<double>& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](double v) { return v == 0; });
+}
+
+std::vector<Point> places(const Simulation& simulation) {
+  const std::vector<double> xy = read(simulation, "reference_position");
+  std::vector<Point> out(xy.size() / 2);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = {xy[2 * k], xy[2 * k + 1]};
+  return out;
+}
+
+/// Every force goes to the nearest soil particle of the other grid.
+std::vector<double> moved_forces(const std::vector<Point>& from, const std::vector<double>& forces,
+                                 const std::vector<Point>& to, const std::vector<double>& boundary, double spacing) {
+  std::vector<Point> soil;  // soil particles come first
+  for (std::size_t k = 0; k < to.size() && boundary[k] < 0; ++k) soil.push_back(to[k]);
+  const Buckets buckets(soil, spacing);
+  std::vector<double> out(2 * to.size(), 0);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    if (forces[2 * k] == 0 && forces[2 * k + 1] == 0) continue;
+    double best = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (double reach = spacing; best > reach * reach && reach < 4 * buckets.extent(); reach *= 2)
+      buckets.near(from[k].x, from[k].y, reach, [&](std::size_t n) {
+        const double dx = soil[n].x - from[k].x, dy = soil[n].y - from[k].y, d2 = dx * dx + dy * dy;
+        if (d2 < best || (d2 == best && n < nearest)) best = d2, nearest = n;
+      });
+    out[2 * nearest] += forces[2 * k], out[2 * nearest + 1] += forces[2 * k + 1];
+  }
+  return out;
+}
+
+}  // namespace
+
+void take_over(const Simulation& from, Simulation& to) {
+  to.set_drive(from.drive());
+  const std::vector<double> pressures = read(from, "pore_pressure"), forces = read(from, "external_force");
+  if (all_zero(pressures) && all_zero(forces)) return;
+  const std::vector<Point> here = places(from), there = places(to);
+  if (!all_zero(pressures)) {
+    const Scattered field(here, pressures, 1);
+    std::vector<double> rows(there.size());
+    for (std::size_t k = 0; k < there.size(); ++k) field.at(there[k].x, there[k].y, &rows[k]);
+    to.write(find_field("pore_pressure"), rows);
+  }
+  if (!all_zero(forces))
+    to.write(find_field("external_force"),
+             moved_forces(here, forces, there, read(to, "boundary"), to.get("spacing_x")));
+}
+
+}  // namespace vbgpd

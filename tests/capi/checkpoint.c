@@ -1,0 +1,170 @@
+/* A model goes on in another process as if nothing had happened: capi_checkpoint; capi_checkpoint go_on FILE THREADS.
+ */
+#include <inttypes.h>
+
+#include "slope.h"
+
+enum { before = 200, after = 1000 };
+
+static vbgpd_context* context_with(int32_t threads) {
+  vbgpd_context_desc desc;
+  vbgpd_context* context = NULL;
+  CHECK_OK(vbgpd_context_desc_init(&desc, sizeof desc));
+  desc.threads = threads;
+  CHECK_OK(vbgpd_context_create(&desc, &context));
+  return context;
+}
+
+/* Everything that can be set from outside is set. */
+static vbgpd_model* driven_model(vbgpd_context* context) {
+  static const double corners[4] = {40e3, 20e3, 0, -60e3};
+  vbgpd_profile* profile = make_profile(context, 1);
+  vbgpd_model* model = NULL;
+  vbgpd_selection top;
+  double push[2] = {-400, 100};
+  const int64_t id = 7;
+  int32_t field;
+  CHECK_OK(vbgpd_profile_add_load(profile, 2, 8, 10e3, 10e3, NULL));
+  CHECK_OK(vbgpd_model_create(context, profile, &model));
+  CHECK_OK(vbgpd_profile_destroy(profile));
+  CHECK_OK(vbgpd_model_set_load(model, 0, 40e3, 50e3));
+  CHECK_OK(vbgpd_model_set_f64(model, "kh", VBGPD_STRLEN, 0.05));
+  CHECK_OK(vbgpd_model_set_f64(model, "damping", VBGPD_STRLEN, 0.1));
+  CHECK_OK(vbgpd_model_set_f64(model, "strength_reduction_factor", VBGPD_STRLEN, 1.5));
+  CHECK_OK(vbgpd_field_find("pore_pressure", VBGPD_STRLEN, &field));
+  CHECK_OK(vbgpd_model_write_grid(model, field, 0, 0, 40, 15, 2, 2, corners, 0));
+  memset(&top, 0, sizeof top);
+  top.struct_size = sizeof top, top.kind = VBGPD_SELECT_IDS, top.ids = &id, top.n_ids = 1;
+  CHECK_OK(vbgpd_field_find("external_force", VBGPD_STRLEN, &field));
+  CHECK_OK(vbgpd_model_write_f64(model, field, &top, push, 0, 0, 1));
+  CHECK_OK(vbgpd_model_step(model, before, NULL));
+  CHECK(model_number(model, "plastic_bonds") > 100);
+  return model;
+}
+
+static uint64_t hash_of(const vbgpd_model* model) {
+  uint64_t hash = 0;
+  CHECK_OK(vbgpd_model_state_hash(model, &hash));
+  return hash;
+}
+
+static unsigned char* bytes_of(const vbgpd_model* model, int64_t* size) {
+  unsigned char* bytes;
+  CHECK_OK(vbgpd_model_checkpoint(model, NULL, 0, size));
+  bytes = (unsigned char*)malloc((size_t)*size);
+  CHECK_STATUS(VBGPD_E_BUFFER, vbgpd_model_checkpoint(model, bytes, *size - 1, size));
+  CHECK_OK(vbgpd_model_checkpoint(model, bytes, *size, size));
+  return bytes;
+}
+
+static int go_on(const char* path, int32_t threads) {
+  vbgpd_context* context = context_with(threads);
+  vbgpd_model* model = NULL;
+  FILE* file = fopen(path, "rb");
+  unsigned char* bytes = (unsigned char*)malloc(1 << 24);
+  size_t size;
+  CHECK(file != NULL);
+  size = fread(bytes, 1, 1 << 24, file);
+  fclose(file);
+  CHECK_OK(vbgpd_model_create_from_checkpoint(context, bytes, (int64_t)size, &model));
+  free(bytes);
+  CHECK_OK(vbgpd_model_step(model, after, NULL));
+  printf("%016" PRIX64 "\n", hash_of(model));
+  CHECK_OK(vbgpd_model_destroy(model));
+  CHECK_OK(vbgpd_context_destroy(context));
+  return 0;
+}
+
+/* What the other process printed must be the hash here. */
+static void same_in_another_process(const char* program, const char* path, int threads, uint64_t expected) {
+  char command[10000], line[64] = "";
+  uint64_t there = 0;
+  FILE* pipe;
+  snprintf(command, sizeof command, "\"%s\" go_on \"%s\" %d", program, path, threads);
+  pipe = popen(command, "r");
+  CHECK(pipe != NULL && fgets(line, sizeof line, pipe) != NULL);
+  CHECK(pclose(pipe) == 0);
+  CHECK(sscanf(line, "%" SCNx64, &there) == 1);
+  CHECK(there == expected);
+}
+
+/* Cut short or with a flipped bit it is refused, or what it says is still a model; nothing ever crashes. */
+static void damaged_ones_are_refused(vbgpd_context* context, vbgpd_model* model, const unsigned char* bytes,
+                                     int64_t size) {
+  unsigned char* copy = (unsigned char*)malloc((size_t)size);
+  const uint64_t hash = hash_of(model);
+  int64_t cut, bit;
+  vbgpd_model* made = NULL;
+  for (cut = 0; cut < size; cut += 1 + cut / 8) {
+    memcpy(copy, bytes, (size_t)cut);
+    CHECK_STATUS(VBGPD_E_FORMAT, vbgpd_model_restore_checkpoint(model, copy, cut));
+  }
+  for (bit = 0; bit < 8 * 2048; bit += 53) {
+    vbgpd_status s;
+    memcpy(copy, bytes, (size_t)size);
+    copy[bit / 8] ^= (unsigned char)(1 << bit % 8);
+    s = vbgpd_model_restore_checkpoint(model, copy, size);
+    CHECK(s == VBGPD_OK || s == VBGPD_E_FORMAT || s == VBGPD_E_VERSION);
+  }
+  CHECK_OK(vbgpd_model_restore_checkpoint(model, bytes, size));
+  CHECK(hash_of(model) == hash);
+  CHECK_STATUS(VBGPD_E_FORMAT, vbgpd_model_create_from_checkpoint(context, "VBGPVBGPVBGPVBGP", 16, &made));
+  CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_create_from_checkpoint(context, bytes, -1, &made));
+  CHECK(made == NULL);
+  {
+    vbgpd_model* other = make_model(context, 2.5);
+    CHECK_STATUS(VBGPD_E_FORMAT, vbgpd_model_restore_checkpoint(other, bytes, size));
+    CHECK_OK(vbgpd_model_destroy(other));
+  }
+  free(copy);
+}
+
+static void limits_hold_for_checkpoints(const unsigned char* bytes, int64_t size) {
+  vbgpd_context_desc desc;
+  vbgpd_context* context = NULL;
+  vbgpd_model* made = NULL;
+  CHECK_OK(vbgpd_context_desc_init(&desc, sizeof desc));
+  desc.max_particles = 100;
+  CHECK_OK(vbgpd_context_create(&desc, &context));
+  CHECK_STATUS(VBGPD_E_LIMIT, vbgpd_model_create_from_checkpoint(context, bytes, size, &made));
+  CHECK_OK(vbgpd_context_destroy(context));
+}
+
+static void profiles_come_back_from_their_bytes(vbgpd_context* context) {
+  vbgpd_profile *profile = make_profile(context, 1), *again = NULL;
+  unsigned char bytes[4096], bytes_again[4096];
+  int64_t size = 0, size_again = 0;
+  CHECK_OK(vbgpd_profile_to_flatbuffer(profile, bytes, sizeof bytes, &size));
+  CHECK_OK(vbgpd_profile_create_from_flatbuffer(context, bytes, size, &again));
+  CHECK_OK(vbgpd_profile_to_flatbuffer(again, bytes_again, sizeof bytes_again, &size_again));
+  CHECK(size == size_again && memcmp(bytes, bytes_again, (size_t)size) == 0);
+  CHECK_STATUS(VBGPD_E_BUFFER, vbgpd_profile_to_flatbuffer(profile, bytes, size - 1, NULL));
+  CHECK_OK(vbgpd_profile_destroy(profile));
+  CHECK_OK(vbgpd_profile_destroy(again));
+}
+
+int main(int argc, char** argv) {
+  if (argc == 4) return go_on(argv[2], (int32_t)atoi(argv[3]));
+  vbgpd_context* context = context_with(2);
+  vbgpd_model* model = driven_model(context);
+  int64_t size = 0;
+  unsigned char* bytes = bytes_of(model, &size);
+  char path[4200];
+  FILE* file;
+  int threads;
+  uint64_t expected;
+  snprintf(path, sizeof path, "%s.vbgc", argv[0]);
+  file = fopen(path, "wb");
+  CHECK(file != NULL && fwrite(bytes, 1, (size_t)size, file) == (size_t)size && fclose(file) == 0);
+  damaged_ones_are_refused(context, model, bytes, size);
+  limits_hold_for_checkpoints(bytes, size);
+  CHECK_OK(vbgpd_model_step(model, after, NULL));
+  expected = hash_of(model);
+  for (threads = 1; threads <= 3; ++threads) same_in_another_process(argv[0], path, threads, expected);
+  remove(path);
+  free(bytes);
+  profiles_come_back_from_their_bytes(context);
+  CHECK_OK(vbgpd_model_destroy(model));
+  CHECK_OK(vbgpd_context_destroy(context));
+  return 0;
+}

@@ -1,0 +1,196 @@
+// Memory that runs out at the n-th allocation, for every n: the call says VBGPD_E_MEMORY, the object is as it was, and
+// nothing is left behind. This program's operator new is the library's, too.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <new>
+
+#include "slope.h"
+
+namespace {
+
+std::int64_t allocations, alive, fail_at = -1;  // fail_at < 0: never
+
+void* allocate(std::size_t size, std::size_t alignment) {
+  if (fail_at >= 0 && allocations++ >= fail_at) throw std::bad_alloc();
+  void* p = nullptr;
+  if (posix_memalign(&p, alignment < sizeof(void*) ? sizeof(void*) : alignment, size ? size : 1) != 0)
+    throw std::bad_alloc();
+  ++alive;
+  return p;
+}
+
+void release(void* p) noexcept {
+  if (p) --alive;
+  std::free(p);
+}
+
+}  // namespace
+
+void* operator new(std::size_t n) { return allocate(n, 16); }
+void* operator new(std::size_t n, std::align_val_t a) { return allocate(n, static_cast<std::size_t>(a)); }
+void operator delete(void* p) noexcept { release(p); }
+void operator delete(void* p, std::size_t) noexcept { release(p); }
+void operator delete(void* p, std::align_val_t) noexcept { release(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { release(p); }
+
+namespace {
+
+vbgpd_context* context;
+vbgpd_profile* profile;
+vbgpd_model* model;
+vbgpd_state* state;
+
+std::uint64_t hash() {
+  std::uint64_t h = 0;
+  CHECK_OK(vbgpd_model_state_hash(model, &h));
+  return h;
+}
+
+/// What a model is: its state, and how it would go on.
+struct Fingerprint {
+  std::uint64_t now, later;
+  bool operator==(const Fingerprint& o) const { return now == o.now && later == o.later; }
+};
+
+Fingerprint fingerprint() {
+  Fingerprint f;
+  vbgpd_state* kept = nullptr;
+  CHECK_OK(vbgpd_model_save_state(model, &kept));
+  f.now = hash();
+  CHECK_OK(vbgpd_model_step(model, 2, nullptr));
+  f.later = hash();
+  CHECK_OK(vbgpd_model_restore_state(model, kept));
+  CHECK_OK(vbgpd_state_destroy(kept));
+  return f;
+}
+
+/// Calls until no allocation fails; `undo` takes back what the call that succeeded did.
+void survives(
+    const char* name, const std::function<vbgpd_status()>& call, const std::function<void()>& undo = [] {}) {
+  CHECK_OK(call());  // lazily made caches are made
+  undo();
+  const Fingerprint before = fingerprint();
+  const std::int64_t alive_before = alive;
+  for (std::int64_t n = 0;; n += 1 + n / 64) {
+    allocations = 0, fail_at = n;
+    const vbgpd_status s = call();
+    fail_at = -1;
+    if (s == VBGPD_OK) {
+      std::printf("%-40s survived failures at %lld places\n", name, static_cast<long long>(n));
+      break;
+    }
+    if (s != VBGPD_E_MEMORY || !(fingerprint() == before)) {
+      std::fprintf(stderr, "%s: %s at allocation %lld\n", name, vbgpd_status_name(s), static_cast<long long>(n));
+      std::exit(1);
+    }
+  }
+  undo();
+  CHECK(fingerprint() == before);
+  // an error record keeps its sentence; nothing else may stay
+  CHECK(alive <= alive_before + 4);
+}
+
+std::int32_t field(const char* name) {
+  std::int32_t f = -1;
+  CHECK_OK(vbgpd_field_find(name, VBGPD_STRLEN, &f));
+  return f;
+}
+
+}  // namespace
+
+int main() {
+  static const double corners[4] = {20e3, 10e3, 0, -20e3}, places[6] = {0, 0, 40, 0, 0, 15}, values[3] = {1e4, 2e4, 0};
+  static double out[8000];
+  static unsigned char bytes[1 << 20];
+  static std::int64_t ids[4000];
+  std::int64_t size = 0;
+  context = make_context();
+  profile = make_profile(context, 2);
+  CHECK_OK(vbgpd_profile_add_load(profile, 2, 8, 10e3, 10e3, nullptr));
+  CHECK_OK(vbgpd_model_create(context, profile, &model));
+  CHECK_OK(vbgpd_model_step(model, 20, nullptr));
+  CHECK_OK(vbgpd_model_save_state(model, &state));
+  CHECK_OK(vbgpd_model_checkpoint(model, bytes, sizeof bytes, &size));
+  const std::int32_t pore = field("pore_pressure"), stress = field("stress");
+  const auto restore = [] { CHECK_OK(vbgpd_model_restore_state(model, state)); };
+
+  vbgpd_model* made = nullptr;
+  const auto drop_model = [&] {
+    CHECK_OK(vbgpd_model_destroy(made));
+    made = nullptr;
+  };
+  survives(
+      "model_create", [&] { return vbgpd_model_create(context, profile, &made); }, drop_model);
+  survives(
+      "model_create_from_checkpoint", [&] { return vbgpd_model_create_from_checkpoint(context, bytes, size, &made); },
+      drop_model);
+  vbgpd_profile* scene = nullptr;
+  survives(
+      "profile_create", [&] { return vbgpd_profile_create(context, &scene); },
+      [&] {
+        CHECK_OK(vbgpd_profile_destroy(scene));
+        scene = nullptr;
+      });
+  survives("profile_to_flatbuffer", [&] { return vbgpd_profile_to_flatbuffer(profile, out, sizeof out, nullptr); });
+  survives(
+      "model_step", [] { return vbgpd_model_step(model, 3, nullptr); }, restore);
+  survives(
+      "model_advance_to", [] { return vbgpd_model_advance_to(model, 1, 0, nullptr, nullptr, nullptr); }, restore);
+  survives(
+      "model_set_f64", [] { return vbgpd_model_set_f64(model, "kh", VBGPD_STRLEN, 0.1); }, restore);
+  survives(
+      "model_set_f64 of the factor",
+      [] { return vbgpd_model_set_f64(model, "strength_reduction_factor", VBGPD_STRLEN, 1.25); }, restore);
+  survives(
+      "model_set_load", [] { return vbgpd_model_set_load(model, 0, 30e3, 20e3); }, restore);
+  survives(
+      "model_write_grid", [&] { return vbgpd_model_write_grid(model, pore, 0, 0, 40, 15, 2, 2, corners, 0); }, restore);
+  survives(
+      "model_write_points", [&] { return vbgpd_model_write_points(model, pore, places, 16, values, 0, 0, 3); },
+      restore);
+  std::int64_t n = 0;
+  CHECK_OK(vbgpd_model_item_count(model, VBGPD_AT_PARTICLE, &n));
+  for (std::int64_t k = 0; k < 2 * n; ++k) out[k] = 10.0 * static_cast<double>(k % 7);
+  survives(
+      "model_write_f64", [&] { return vbgpd_model_write_f64(model, field("external_force"), nullptr, out, 0, 0, n); },
+      restore);
+  vbgpd_state* saved = nullptr;
+  survives(
+      "model_save_state", [&] { return vbgpd_model_save_state(model, &saved); },
+      [&] {
+        CHECK_OK(vbgpd_state_destroy(saved));
+        saved = nullptr;
+      });
+  survives("model_save_state over another", [] { return vbgpd_model_save_state(model, &state); });
+  survives("model_restore_state", [] { return vbgpd_model_restore_state(model, state); });
+  survives("model_checkpoint", [&] { return vbgpd_model_checkpoint(model, bytes, sizeof bytes, &size); });
+  survives("model_restore_checkpoint", [&] { return vbgpd_model_restore_checkpoint(model, bytes, size); });
+  survives("model_select", [&] { return vbgpd_model_select(model, nullptr, ids, 8, 4000, nullptr); });
+  survives("model_read_f64", [&] { return vbgpd_model_read_f64(model, stress, out, 0, 0, 2000, nullptr); });
+  survives("model_read_selected_f64",
+           [&] { return vbgpd_model_read_selected_f64(model, stress, nullptr, out, 0, 0, 2000, nullptr); });
+  survives("model_sample_points",
+           [&] { return vbgpd_model_sample_points(model, stress, places, 16, 3, out, 0, 0, nullptr, 0); });
+  survives("model_ground_surface", [&] { return vbgpd_model_ground_surface(model, out, 16, 4000, nullptr); });
+  survives("model_boundary_reaction", [&] { return vbgpd_model_boundary_reaction(model, 0, out, out + 1); });
+  vbgpd_view view;
+  view.struct_size = sizeof view;
+  survives(
+      "model_view_acquire", [&] { return vbgpd_model_view_acquire(model, field("displacement"), &view); },
+      [&] { CHECK_OK(vbgpd_model_view_release(model, view.lease)); });
+  vbgpd_job* job = nullptr;
+  survives(
+      "job_create_strength_reduction", [&] { return vbgpd_job_create_strength_reduction(model, &job); },
+      [&] {
+        CHECK_OK(vbgpd_job_destroy(job));
+        job = nullptr;
+      });
+  CHECK_OK(vbgpd_state_destroy(state));
+  CHECK_OK(vbgpd_model_destroy(model));
+  CHECK_OK(vbgpd_profile_destroy(profile));
+  CHECK_OK(vbgpd_context_destroy(context));
+  return 0;
+}
