@@ -61,6 +61,9 @@ VBGPD_INLINE void add_ghosts(const FlowData& d, const FlowControls& c, int i, st
   const Pack weight = pair_weight(c, r) * load_each(d.volume, j), wx = weight * x, wy = weight * y;
   s.gx += (mine.a + its.a) * wx + (mine.b + its.b) * wy;
   s.gy += (mine.c + its.c) * wx + (mine.d + its.d) * wy;
+  const Pack closing = smaller((other.c - own.c) * x + (other.d - own.d) * y, Pack{});
+  const Pack drag = c.viscosity * weight * d.constants[4l*i+1] * closing / (x * x + y * y + c.softening);
+  s.hx += drag * x, s.hy += drag * y;
 }
 
 /// -alpha |f| sgn v

@@ -45,14 +45,19 @@ inline void place_ghosts(const FlowData& d) {
 }
 
 /// The mirrored stress is what the wall would see; over the distance 2d between particle and image it grows by the
-/// weight: P_g -= 2 d rho b (x) n (only across where the wall is smooth).
+/// weight: P_g -= 2 d rho b (x) n (only across where the wall is smooth), at most doubling the pressure there: soil that
+/// carries no stress is not held up.
 VBGPD_INLINE void add_weight(const FlowData& d, const FlowWall& w, int parent, const double* image, double* flux) {
   const double depth = -distance_to(w, image[0], image[1]);
-  const double share = 2 * depth / d.volume[parent];
+  const double* const s = d.stress + 4l * parent;
+  const double pressure = -(s[3] + s[0] * w.nx * w.nx + s[1] * w.ny * w.ny + 2 * s[2] * w.nx * w.ny);
+  double share = 2 * depth / d.volume[parent];
+  const double across = -share * (d.force[2l * parent] * w.nx + d.force[2l * parent + 1] * w.ny);
+  if (across > 0 && across > pressure) share *= larger(pressure, 0) / across;
   double bx = share * d.force[2l * parent], by = share * d.force[2l * parent + 1];
   if (w.rough == 0) {
-    const double across = bx * w.nx + by * w.ny;
-    bx = across * w.nx, by = across * w.ny;
+    const double n = bx * w.nx + by * w.ny;
+    bx = n * w.nx, by = n * w.ny;
   }
   // outward normal is -n
   flux[0] += bx * w.nx, flux[1] += bx * w.ny, flux[2] += by * w.nx, flux[3] += by * w.ny;
