@@ -73,14 +73,14 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
   m.particles = std::count_if(section.seeds.begin(), section.seeds.end(),
                               [](const Seed& s) { return s.hold == Hold::kFree; });
   const auto n = static_cast<std::size_t>(m.particles);
-  for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.reference_x, &m.reference_y}) a->allocate(n, 0);
+  for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.reference_x, &m.reference_y, &m.size}) a->allocate(n, 0);
   m.extra_cohesion.allocate(lattice.extra_cohesion.present() ? n : 0, 0);
   m.material.resize(n);
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
     const Seed& seed = section.seeds[k];
     if (seed.hold != Hold::kFree) continue;
     const auto id = static_cast<std::size_t>(lattice.id_of[k]), i = static_cast<std::size_t>(lattice.storage_of[k]);
-    m.volume[id] = seed.volume, m.mass[id] = lattice.mass[i];
+    m.volume[id] = seed.volume, m.mass[id] = lattice.mass[i], m.size[id] = std::sqrt(seed.volume);
     m.force_x[id] = lattice.force_x[i], m.force_y[id] = lattice.force_y[i];
     m.reference_x[id] = seed.centroid.x() - m.origin.x(), m.reference_y[id] = seed.centroid.y() - m.origin.y();
     m.material[id] = seed.material;

@@ -43,6 +43,27 @@ FlowSimulation::FlowSimulation(const LatticeSimulation& from, const FlowOptions&
   }
   set_factor(from.get("strength_reduction_factor"));
   state_was_changed();
+  fit_guard();
+}
+
+/// Particles of cut cells may start nearer to each other or to a wall than the guard allows: theirs gets smaller, so that
+/// nothing is pushed apart before anything moved.
+void FlowSimulation::fit_guard() {
+  const Real b = model_.options.guard_distance;
+  if (!(b > 0)) return;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.particles); ++i) {
+    const double* const x = state_.motion.data() + 4 * i;
+    Real& size = model_.size[static_cast<std::size_t>(state_.particle[i])];
+    for (auto k = 4 * static_cast<std::size_t>(lists_.rows[i].begin);
+         k < 4 * static_cast<std::size_t>(lists_.rows[i].ghosts); ++k) {
+      if (lists_.neighbours[k] >= model_.particles) continue;
+      const double* const y = state_.motion.data() + 4 * static_cast<std::size_t>(lists_.neighbours[k]);
+      size = std::min(size, std::hypot(y[0] - x[0], y[1] - x[1]) / b);
+    }
+    for (const FlowWall& w : model_.walls)
+      size = std::min(size, 2 / b * std::max<Real>(0, (x[0] - w.x) * w.nx + (x[1] - w.y) * w.ny));
+  }
+  list_neighbours(model_, state_, lists_);
 }
 
 void FlowSimulation::state_was_changed() {
@@ -76,11 +97,12 @@ void FlowSimulation::arrange_scratch() {
   for (Array* a : {&scratch_.motion, &scratch_.next_motion, &scratch_.gradient, &scratch_.bond, &scratch_.inverse,
                    &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y})
     if (a->size() != 4 * all) a->allocate(4 * all, stagger++);
-  if (scratch_.next_stress.size() != 4 * n) scratch_.next_stress.allocate(4 * n, stagger++);
+  if (scratch_.next_stress.size() != 4 * (n + 1)) scratch_.next_stress.allocate(4 * (n + 1), stagger++);
   if (scratch_.pair_force.size() != 2 * n) scratch_.pair_force.allocate(2 * n, stagger++);
+  scratch_.weight.allocate(4 * (lists_.ghosts.size() + 1), stagger++);
   for (Array* a : {&scratch_.gradient, &scratch_.bond, &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y})
-    for (std::size_t k = 0; k < 4; ++k) (*a)[4 * (all - 1) + k] = 0;
-  for (std::size_t k = 0; k < 4; ++k) scratch_.motion[4 * (all - 1) + k] = k < 2 ? kBlank : 0;
+    for (std::size_t k = 0; k < 4; ++k) (*a)[4 * n + k] = 0;
+  for (std::size_t k = 0; k < 4; ++k) scratch_.motion[4 * n + k] = k < 2 ? kBlank : 0;
   for (std::size_t i = 0; i < n; ++i) {
     scratch_.bond[4 * i + 2] = bond_modulus_[static_cast<std::size_t>(lists_.soil[i])];
     scratch_.bond[4 * i + 3] = lists_.volume[i];
@@ -102,7 +124,7 @@ FlowData FlowSimulation::data() const {
   d.next_stress = scratch_.next_stress.data(), d.gradient = scratch_.gradient.data();
   d.bond = scratch_.bond.data(), d.inverse = scratch_.inverse.data(), d.flux = scratch_.flux.data();
   d.slope_x = scratch_.slope_x.data(), d.slope_y = scratch_.slope_y.data();
-  d.pair_force = scratch_.pair_force.data();
+  d.pair_force = scratch_.pair_force.data(), d.weight = scratch_.weight.data();
   return d;
 }
 
@@ -116,7 +138,7 @@ FlowControls FlowSimulation::controls() const {
   c.weight_scale = 35 / (4 * kPi * h * h * h * h);
   c.softening = 0.01 * h * h;
   c.viscosity = model_.viscosity;
-  c.guard_distance = o.guard_distance * model_.spacing;
+  c.guard_distance = o.guard_distance;
   c.guard_stiffness = o.guard_stiffness;
   c.diffusion = 2 * o.stress_diffusion * h;
   c.smallest_eigenvalue = o.smallest_eigenvalue;
@@ -175,7 +197,7 @@ StepReport FlowSimulation::step(std::int64_t steps, const std::atomic<bool>* can
       return report;
     }
     ledger_.external += sums.external, ledger_.internal += sums.internal, ledger_.bond += sums.bond;
-    ledger_.viscous += sums.viscous, ledger_.damping += sums.damping, ledger_.contact += sums.contact;
+    ledger_.viscous += sums.viscous, ledger_.damping += sums.damping, ledger_.contact += sums.contact - sums.wall;
     peak_kinetic_ = std::max(peak_kinetic_, sums.kinetic);
     ++steps_, ++report.steps;
     time_ += c.time_step;

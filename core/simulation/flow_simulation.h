@@ -51,6 +51,7 @@ class FlowSimulation final : public Simulation {
   FlowData data() const;
   FlowControls controls() const;
   void set_factor(Real factor);
+  void fit_guard();
   void arrange_scratch();
   void refresh_neighbours();
   void run_step(const FlowControls& controls, FlowSums& sums);

@@ -38,6 +38,7 @@ struct FlowModel {
   Real time_step = 0;     ///< s
   // by particle id
   Array volume, mass, force_x, force_y, reference_x, reference_y;
+  Array size;            ///< of its guard: sqrt(volume), less where neighbours or walls are nearer from the start, m
   Array extra_cohesion;  ///< present with a cohesion gradient, Pa
   std::vector<std::int32_t> material;
   // by material
@@ -52,7 +53,7 @@ struct FlowModel {
 /// list of the arrays.
 struct FlowState {
   Array motion;          ///< [4n] x, y (m), v_x, v_y (m/s)
-  Array stress;          ///< [4n] deviator xx, yy, xy and mean stress, Pa
+  Array stress;          ///< [4(n + 1)] deviator xx, yy, xy and mean stress, Pa; the last one is blank
   Array gap;             ///< volumetric strain by which a particle in tension has come apart
   Array plastic_strain;  ///< engineering plastic shear strain, summed along the way
   Array wall_shear;      ///< elastic stretch of the contact with a rough wall, m
@@ -79,26 +80,27 @@ struct FlowState {
 /// What follows from FlowState::listed, and the constants of the particles in the present order.
 struct FlowLists {
   std::vector<FlowRow> rows;
-  std::vector<std::int32_t> neighbours;  ///< four to a pack; soil below `particles`, then ghosts, last the blank one
+  std::vector<std::int32_t> neighbours;  ///< four to a pack; soil below `particles`, the blank one, then ghosts
   std::vector<FlowGhost> ghosts;
   std::vector<std::int32_t> soil;        ///< material
-  Array constants;                       ///< [4n] volume (m2), mass (kg), K + 4G/3 (Pa), wave speed (m/s)
-  Array volume;                          ///< [n + ghosts + 1]
+  Array constants;                       ///< [4(n + 1)] volume (m2), mass (kg), K + 4G/3 (Pa), size (m)
+  Array volume;                          ///< [n + 1 + ghosts]
   Array force;                           ///< [2n] weight, seismic force and loads, N
   Array extra_cohesion;                  ///< Pa
   std::size_t bytes() const;
 };
 
-/// What a step writes before it reads it. [4 (n + ghosts + 1)] unless said otherwise.
+/// What a step writes before it reads it. [4 (n + 1 + ghosts)] unless said otherwise.
 struct FlowScratch {
   Array motion, next_motion;  ///< motion with ghosts; of the next step
-  Array next_stress;          ///< [4n]
+  Array next_stress;          ///< [4(n + 1)]
   Array gradient;             ///< L: xx, xy, yx, yy
   Array bond;                 ///< return ratio, 1/omega0, chi G, volume
   Array inverse;              ///< M^-1: xx, xy, yy
   Array flux;                 ///< P = Z M^-1 / V: xx, xy, yx, yy
   Array slope_x, slope_y;     ///< gradient of the four stress components
   Array pair_force;           ///< [2n]
+  Array weight;               ///< [4(1 + ghosts)] share of the weight in the stress of the mirror images
   std::size_t bytes() const;
 };
 

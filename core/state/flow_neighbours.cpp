@@ -154,8 +154,7 @@ class Lister {
  private:
   std::int32_t packs() const { return static_cast<std::int32_t>(lists_.neighbours.size() / 4); }
   void fill_pack() {
-    const auto blank = static_cast<std::int32_t>(m_.particles + static_cast<std::int64_t>(lists_.ghosts.size()));
-    while (lists_.neighbours.size() % 4 != 0) lists_.neighbours.push_back(blank);
+    while (lists_.neighbours.size() % 4 != 0) lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles));
   }
   bool near(std::size_t i, Real x, Real y) const {
     const Real dx = x - xy_[2 * i], dy = y - xy_[2 * i + 1];
@@ -167,7 +166,7 @@ class Lister {
     if (!near(i, x, y)) return;
     const FlowWall& wall = m_.walls[static_cast<std::size_t>(ghost.wall)];
     if (ghost.second < 0 && !seen(wall, xy_[2 * i], xy_[2 * i + 1], x, y)) return;
-    lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles) + g);
+    lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles) + 1 + g);
   }
   void around(std::size_t i, const Bins& bins, auto&& use) const {
     const std::int64_t cx = cells_.column(xy_[2 * i]), cy = cells_.column(xy_[2 * i + 1]);
@@ -191,7 +190,7 @@ class Lister {
 void place_constants(const FlowModel& m, const FlowState& s, FlowLists& lists) {
   const auto n = static_cast<std::size_t>(m.particles), ghosts = lists.ghosts.size();
   lists.soil.resize(n);
-  lists.constants.allocate(4 * (n + ghosts + 1), 1);
+  lists.constants.allocate(4 * (n + 1), 1);
   lists.volume.allocate(n + ghosts + 1, 2);
   lists.force.allocate(2 * n, 3);
   lists.extra_cohesion.allocate(m.extra_cohesion.size(), 4);
@@ -203,13 +202,13 @@ void place_constants(const FlowModel& m, const FlowState& s, FlowLists& lists) {
     lists.volume[i] = lists.constants[4 * i] = m.volume[id];
     lists.constants[4 * i + 1] = m.mass[id];
     lists.constants[4 * i + 2] = wave;
-    lists.constants[4 * i + 3] = std::sqrt(wave * m.volume[id] / m.mass[id]);
+    lists.constants[4 * i + 3] = m.size[id];
     lists.force[2 * i] = m.force_x[id], lists.force[2 * i + 1] = m.force_y[id];
     if (m.extra_cohesion.present()) lists.extra_cohesion[i] = m.extra_cohesion[id];
   }
   for (std::size_t g = 0; g < ghosts; ++g) {
     const auto parent = static_cast<std::size_t>(lists.ghosts[g].parent);
-    lists.volume[n + g] = lists.volume[parent];
+    lists.volume[n + 1 + g] = lists.volume[parent];
   }
 }
 

@@ -19,7 +19,7 @@ std::size_t bytes_of(std::initializer_list<const Array*> arrays) {
 }  // namespace
 
 std::size_t FlowModel::bytes() const {
-  return bytes_of({&volume, &mass, &force_x, &force_y, &reference_x, &reference_y, &extra_cohesion}) +
+  return bytes_of({&volume, &mass, &force_x, &force_y, &reference_x, &reference_y, &size, &extra_cohesion}) +
          bytes_of(material) + bytes_of(walls);
 }
 
@@ -30,13 +30,13 @@ std::size_t FlowLists::bytes() const {
 
 std::size_t FlowScratch::bytes() const {
   return bytes_of({&motion, &next_motion, &next_stress, &gradient, &bond, &inverse, &flux, &slope_x, &slope_y,
-                   &pair_force});
+                   &pair_force, &weight});
 }
 
 void FlowState::allocate(const FlowModel& m) {
   const auto n = static_cast<std::size_t>(m.particles);
   motion.allocate(4 * n, 1);
-  stress.allocate(4 * n, 2);
+  stress.allocate(4 * (n + 1), 2);
   gap.allocate(n, 3);
   plastic_strain.allocate(n, 4);
   wall_shear.allocate(m.walls.empty() ? 0 : n, 5);

@@ -23,7 +23,7 @@ struct FlowControls {
   double weight_scale = 0;       ///< 35 / (4 pi h^4)
   double softening = 0;          ///< 0.01 h^2
   double viscosity = 0;          ///< alpha c h, m2/s
-  double guard_distance = 0;     ///< b dx, m
+  double guard_distance = 0;     ///< b, in sides of particles
   double guard_stiffness = 0;    ///< kappa
   double diffusion = 0;          ///< 2 zeta h, m
   double smallest_eigenvalue = 0;
@@ -65,7 +65,7 @@ struct FlowData {
   // state
   double *stress, *gap, *plastic_strain, *wall_shear, *traction;
   // scratch; motion is the state's, with ghosts
-  double *motion, *next_motion, *next_stress, *gradient, *bond, *inverse, *flux, *slope_x, *slope_y, *pair_force;
+  double *motion, *next_motion, *next_stress, *gradient, *bond, *inverse, *flux, *slope_x, *slope_y, *pair_force, *weight;
 };
 
 }  // namespace vbgpd

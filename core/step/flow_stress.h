@@ -20,14 +20,18 @@ VBGPD_INLINE Returned<double> returned(const FlowLaw& law, double extra_cohesion
   return law.algorithm == 0 ? Cone<double>(constants).returned(trial) : Hexagon<double>(constants).returned(trial);
 }
 
-/// stress: deviator xx, yy, xy and mean; l: velocity gradient xx, xy, yx, yy.
+/// stress: deviator xx, yy, xy and mean; l: velocity gradient xx, xy, yx, yy at the end of the drift. The gradient in the
+/// middle of it, G = L (1 - L dt/2)^-1, is exactly antisymmetric for a rigid turn (Hughes & Winget 1980).
 /// 1 a particle that came apart in tension closes before it carries pressure again (without that memory it would be
 ///   given volume and energy);
-/// 2 the deviator turns by the rotation angle a = (L_yx - L_xy) dt/2, with an exact rotation: a rigid turn makes no stress;
+/// 2 the deviator turns exactly by the angle of that turn;
 /// 3 elastic increment; 4, 5 tension cut-off and yield surface by the return of the law.
 VBGPD_INLINE StressUpdate update_stress(const FlowLaw& law, double extra_cohesion, double dt, const double* l,
                                         double* stress, double& gap, double& plastic_strain) {
-  const double lxx = l[0], lxy = l[1], lyx = l[2], lyy = l[3];
+  const double axx = 1 - 0.5 * dt * l[0], axy = -0.5 * dt * l[1], ayx = -0.5 * dt * l[2], ayy = 1 - 0.5 * dt * l[3];
+  const double inverse = 1 / (axx * ayy - axy * ayx);
+  const double lxx = (l[0] * ayy - l[1] * ayx) * inverse, lxy = (l[1] * axx - l[0] * axy) * inverse;
+  const double lyx = (l[2] * ayy - l[3] * ayx) * inverse, lyy = (l[3] * axx - l[2] * axy) * inverse;
   const double shear = law.constants.shear_modulus, bulk = law.constants.bulk_modulus;
   double opening = (lxx + lyy) * dt;
   if (gap > 0 && opening < 0) {
@@ -35,8 +39,9 @@ VBGPD_INLINE StressUpdate update_stress(const FlowLaw& law, double extra_cohesio
     gap -= closed;
     opening += closed;
   }
-  const double a = 0.5 * (lyx - lxy) * dt, denominator = 1 / (1 + a * a);
-  const double cos2 = (1 - a * a) * denominator, sin2 = 2 * a * denominator;
+  const double a = 0.25 * (lyx - lxy) * dt, denominator = 1 / (1 + a * a);  // tan of half the angle
+  const double cosine = (1 - a * a) * denominator, sine = 2 * a * denominator;
+  const double cos2 = cosine * cosine - sine * sine, sin2 = 2 * cosine * sine;
   const double sxx = stress[0], syy = stress[1], sxy = stress[2], mean = stress[3];
   const double middle = 0.5 * (sxx + syy), half = 0.5 * (sxx - syy);
   const double turned_half = cos2 * half - sin2 * sxy;

@@ -37,7 +37,7 @@ inline void place_ghosts(const FlowData& d) {
   for (int g = 0; g < d.ghost_count; ++g) {
     const FlowGhost& ghost = d.ghosts[g];
     const double* const parent = d.motion + 4l * ghost.parent;
-    double* const image = d.motion + 4l * (d.particles + g);
+    double* const image = d.motion + 4l * (d.particles + 1 + g);
     for (int k = 0; k < 4; ++k) image[k] = parent[k];
     mirror_motion(d.walls[ghost.wall], image);
     if (ghost.second >= 0) mirror_motion(d.walls[ghost.second], image);
@@ -47,7 +47,7 @@ inline void place_ghosts(const FlowData& d) {
 /// The mirrored stress is what the wall would see; over the distance 2d between particle and image it grows by the
 /// weight: P_g -= 2 d rho b (x) n (only across where the wall is smooth), at most doubling the pressure there: soil that
 /// carries no stress is not held up.
-VBGPD_INLINE void add_weight(const FlowData& d, const FlowWall& w, int parent, const double* image, double* flux) {
+VBGPD_INLINE void add_weight(const FlowData& d, const FlowWall& w, int parent, const double* image, double* weight) {
   const double depth = -distance_to(w, image[0], image[1]);
   const double* const s = d.stress + 4l * parent;
   const double pressure = -(s[3] + s[0] * w.nx * w.nx + s[1] * w.ny * w.ny + 2 * s[2] * w.nx * w.ny);
@@ -60,19 +60,21 @@ VBGPD_INLINE void add_weight(const FlowData& d, const FlowWall& w, int parent, c
     bx = n * w.nx, by = n * w.ny;
   }
   // outward normal is -n
-  flux[0] += bx * w.nx, flux[1] += bx * w.ny, flux[2] += by * w.nx, flux[3] += by * w.ny;
+  weight[0] += bx * w.nx, weight[1] += bx * w.ny, weight[2] += by * w.nx, weight[3] += by * w.ny;
 }
 
 inline void press_ghosts(const FlowData& d) {
   for (int g = 0; g < d.ghost_count; ++g) {
     const FlowGhost& ghost = d.ghosts[g];
-    double* const flux = d.flux + 4l * (d.particles + g);
-    const double* const image = d.motion + 4l * (d.particles + g);
+    double* const flux = d.flux + 4l * (d.particles + 1 + g);
+    const double* const image = d.motion + 4l * (d.particles + 1 + g);
     for (int k = 0; k < 4; ++k) flux[k] = d.flux[4l * ghost.parent + k];
     mirror_flux(d.walls[ghost.wall], flux);
     if (ghost.second >= 0) mirror_flux(d.walls[ghost.second], flux);
-    add_weight(d, d.walls[ghost.wall], ghost.parent, image, flux);
-    if (ghost.second >= 0) add_weight(d, d.walls[ghost.second], ghost.parent, image, flux);
+    double* const weight = d.weight + 4l * (1 + g);
+    for (int k = 0; k < 4; ++k) weight[k] = 0;
+    add_weight(d, d.walls[ghost.wall], ghost.parent, image, weight);
+    if (ghost.second >= 0) add_weight(d, d.walls[ghost.second], ghost.parent, image, weight);
   }
 }
 
@@ -83,8 +85,8 @@ struct ContactForce {
 };
 inline ContactForce wall_contact(const FlowData& d, const FlowControls& c, int i) {
   const double* const m = d.motion + 4l * i;
-  const double modulus = d.constants[4l * i + 2], reach = 0.5 * c.guard_distance;
-  const double density = d.constants[4l * i + 1] / d.constants[4l * i], speed = d.constants[4l * i + 3];
+  const double modulus = d.constants[4l * i + 2], reach = 0.5 * c.guard_distance * d.constants[4l * i + 3];
+  const double density = d.constants[4l * i + 1] / d.constants[4l * i], speed = root(modulus / density);
   const FlowLaw& law = c.laws[d.soil[i]];
   ContactForce f;
   bool held = false;
@@ -99,7 +101,7 @@ inline ContactForce wall_contact(const FlowData& d, const FlowControls& c, int i
       if (!(distance > 0)) continue;
       nx = ex / distance, ny = ey / distance;
     }
-    if (distance >= reach || distance < -4 * c.guard_distance) continue;
+    if (distance >= reach || distance < -8 * reach) continue;
     const double across = m[2] * nx + m[3] * ny;
     const double normal =
         larger(2 * c.guard_stiffness * modulus * (reach - distance) - c.dashpot * density * speed * across, 0);
@@ -108,7 +110,7 @@ inline ContactForce wall_contact(const FlowData& d, const FlowControls& c, int i
     held = true;
     const double stiffness = law.constants.shear_modulus;
     double stretch = d.wall_shear[i] + c.time_step * (m[2] * ny - m[3] * nx);
-    const double limit = normal * law.friction + law.adhesion * c.guard_distance;
+    const double limit = normal * law.friction + law.adhesion * d.constants[4l * i + 3];
     stretch = larger(smaller(stretch, limit / stiffness), -limit / stiffness);
     d.wall_shear[i] = stretch;
     f.x -= stiffness * stretch * ny, f.y += stiffness * stretch * nx;
