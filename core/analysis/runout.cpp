@@ -11,10 +11,10 @@ namespace vbgpd {
 
 namespace {
 
-constexpr Real kEquilibrium = 1e-5;   // unbalanced force ratio of the gravity state
-constexpr Real kRest = 1e-6;          // kinetic energy over its peak
-constexpr Real kStanding = 1e-9;      // kinetic energy over weight x height: never set out
-constexpr std::int64_t kSlice = 20;   // steps between two looks
+constexpr Real kEquilibrium = 1e-5;  // unbalanced force ratio of the gravity state
+constexpr Real kRest = 1e-6;         // kinetic energy over its peak
+constexpr Real kStanding = 1e-9;     // kinetic energy over weight x height: never set out
+constexpr std::int64_t kSlice = 20;  // steps between two looks
 
 class RunoutJob final : public SliceJob {
  public:
@@ -77,7 +77,8 @@ class RunoutJob final : public SliceJob {
       progress_.fraction = end > 0 ? std::min(1.0, time / end) : 0;
       if (rests || stands) {
         result_.status = "AT_REST";
-        result_.reason = rests ? "the kinetic energy fell below 1e-6 of its peak" : "the slope stands: it never set out";
+        result_.reason =
+            rests ? "the kinetic energy fell below 1e-6 of its peak" : "the slope stands: it never set out";
         break;
       }
       if (end > 0 && time >= end) {
@@ -122,7 +123,8 @@ class RunoutJob final : public SliceJob {
 
 std::unique_ptr<Job> make_runout_job(Simulation& simulation) {
   if (!simulation.runs_out())
-    throw Error(Status::kState, "a run-out needs a run-out model: make one from this model with vbgpd_model_create_runout");
+    throw Error(Status::kState,
+                "a run-out needs a run-out model: make one from this model with vbgpd_model_create_runout");
   return std::make_unique<RunoutJob>(simulation);
 }
 

@@ -8,7 +8,8 @@
 namespace vbgpd {
 
 struct RunoutShape {
-  Real crest_settlement = 0;  ///< largest sinking of the soil that lay within a spacing and a half of the highest ground, m
+  Real crest_settlement =
+      0;  ///< largest sinking of the soil that lay within a spacing and a half of the highest ground, m
   Real toe_displacement = 0;  ///< largest way of the soil within one and a half spacings of the toe, m
   Real runout_distance = 0;   ///< front of the connected mass that moved by more than a spacing, beyond the toe, m
   Real moved_area = 0;        ///< soil that moved by more than a spacing, m2

@@ -70,10 +70,11 @@ std::vector<FlowWall> walls_of(const Section& section, const SceneDef& scene) {
 void add_particles(const LatticeSimulation& from, FlowModel& m) {
   const Section& section = from.section();
   const Model& lattice = from.model();
-  m.particles = std::count_if(section.seeds.begin(), section.seeds.end(),
-                              [](const Seed& s) { return s.hold == Hold::kFree; });
+  m.particles =
+      std::count_if(section.seeds.begin(), section.seeds.end(), [](const Seed& s) { return s.hold == Hold::kFree; });
   const auto n = static_cast<std::size_t>(m.particles);
-  for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.reference_x, &m.reference_y, &m.size}) a->allocate(n, 0);
+  for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.reference_x, &m.reference_y, &m.size})
+    a->allocate(n, 0);
   m.extra_cohesion.allocate(lattice.extra_cohesion.present() ? n : 0, 0);
   m.material.resize(n);
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {

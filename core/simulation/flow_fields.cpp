@@ -115,8 +115,7 @@ void FlowSimulation::read(int field, std::vector<std::int64_t>& out) const {
   const auto id = [&](std::size_t i) { return static_cast<std::int64_t>(state_.particle[i]); };
   for_each_bond([&](std::size_t i, std::size_t j, std::size_t) {
     if (name == "bond_particles") out.push_back(id(i)), out.push_back(id(j));
-    if (name == "bond_state")
-      out.push_back(state_.plastic_strain[i] > 0 || state_.plastic_strain[j] > 0 ? 1 : 0);
+    if (name == "bond_state") out.push_back(state_.plastic_strain[i] > 0 || state_.plastic_strain[j] > 0 ? 1 : 0);
   });
 }
 

@@ -46,8 +46,8 @@ FlowSimulation::FlowSimulation(const LatticeSimulation& from, const FlowOptions&
   fit_guard();
 }
 
-/// Particles of cut cells may start nearer to each other or to a wall than the guard allows: theirs gets smaller, so that
-/// nothing is pushed apart before anything moved.
+/// Particles of cut cells may start nearer to each other or to a wall than the guard allows: theirs gets smaller, so
+/// that nothing is pushed apart before anything moved.
 void FlowSimulation::fit_guard() {
   const Real b = model_.options.guard_distance;
   if (!(b > 0)) return;

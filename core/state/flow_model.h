@@ -14,16 +14,16 @@ namespace vbgpd {
 
 /// Numbers of the method (see core/README.md, "Run-out"). Lengths in particle spacings, the rest without dimension.
 struct FlowOptions {
-  Real bond_stiffness = 0.3;          ///< chi of soil: filters noise, decays with plastic flow
-  Real elastic_bond_stiffness = 1;    ///< chi of a material that never yields: its bonds carry tension
-  Real stress_diffusion = 0.05;       ///< zeta, between pairs that yield
-  Real guard_distance = 0.8;          ///< b: particles closer than b spacings repel each other
-  Real guard_stiffness = 0.5;         ///< kappa, of K + 4G/3
-  Real viscosity = 0.4;               ///< alpha c / sqrt(g H), on approach only
-  Real viscosity_length = 1.3 / 20;   ///< h / H at which that viscosity is meant; held fixed when the spacing changes
-  Real smallest_eigenvalue = 0.2;     ///< floor of the moment matrix, 1 in the bulk
-  Real skin = 0.4;                    ///< how far beyond the support neighbours are listed
-  Real time_step = 0.3;               ///< of spacing / wave speed
+  Real bond_stiffness = 0.3;         ///< chi of soil: filters noise, decays with plastic flow
+  Real elastic_bond_stiffness = 1;   ///< chi of a material that never yields: its bonds carry tension
+  Real stress_diffusion = 0.05;      ///< zeta, between pairs that yield
+  Real guard_distance = 0.8;         ///< b: particles closer than b spacings repel each other
+  Real guard_stiffness = 0.5;        ///< kappa, of K + 4G/3
+  Real viscosity = 0.4;              ///< alpha c / sqrt(g H), on approach only
+  Real viscosity_length = 1.3 / 20;  ///< h / H at which that viscosity is meant; held fixed when the spacing changes
+  Real smallest_eigenvalue = 0.2;    ///< floor of the moment matrix, 1 in the bulk
+  Real skin = 0.4;                   ///< how far beyond the support neighbours are listed
+  Real time_step = 0.3;              ///< of spacing / wave speed
 };
 
 struct FlowModel {
@@ -31,11 +31,11 @@ struct FlowModel {
   std::int64_t particles = 0;
   int materials = 0;
   Vec2 origin = Vec2::Zero();  ///< positions of the state are relative to it, m
-  Real spacing = 0;       ///< geometric mean of the lattice, m
-  Real support = 0;       ///< 2h, m
+  Real spacing = 0;            ///< geometric mean of the lattice, m
+  Real support = 0;            ///< 2h, m
   Real height = 0, stress_scale = 0, stiffness = 0, force_scale = 0, gravity = 0;
-  Real viscosity = 0;     ///< alpha c h, m2/s
-  Real time_step = 0;     ///< s
+  Real viscosity = 0;  ///< alpha c h, m2/s
+  Real time_step = 0;  ///< s
   // by particle id
   Array volume, mass, force_x, force_y, reference_x, reference_y;
   Array size;            ///< of its guard: sqrt(volume), less where neighbours or walls are nearer from the start, m
@@ -82,11 +82,11 @@ struct FlowLists {
   std::vector<FlowRow> rows;
   std::vector<std::int32_t> neighbours;  ///< four to a pack; soil below `particles`, the blank one, then ghosts
   std::vector<FlowGhost> ghosts;
-  std::vector<std::int32_t> soil;        ///< material
-  Array constants;                       ///< [4(n + 1)] volume (m2), mass (kg), K + 4G/3 (Pa), size (m)
-  Array volume;                          ///< [n + 1 + ghosts]
-  Array force;                           ///< [2n] weight, seismic force and loads, N
-  Array extra_cohesion;                  ///< Pa
+  std::vector<std::int32_t> soil;  ///< material
+  Array constants;                 ///< [4(n + 1)] volume (m2), mass (kg), K + 4G/3 (Pa), size (m)
+  Array volume;                    ///< [n + 1 + ghosts]
+  Array force;                     ///< [2n] weight, seismic force and loads, N
+  Array extra_cohesion;            ///< Pa
   std::size_t bytes() const;
 };
 

@@ -119,7 +119,13 @@ bool seen(const FlowWall& w, Real x, Real y, Real image_x, Real image_y) {
 class Lister {
  public:
   Lister(const FlowModel& m, const FlowState& s, FlowLists& lists)
-      : m_(m), xy_(s.listed), lists_(lists), reach_(m.support + m.options.skin * m.spacing), cells_(m, xy_, reach_) {}
+      : m_(m),
+        xy_(s.listed),
+        lists_(lists),
+        reach_(m.support + m.options.skin * m.spacing),
+        reach2_(reach_ * reach_),
+        support2_(m.support * m.support),
+        cells_(m, xy_, reach_) {}
 
   void list() {
     const auto n = static_cast<std::size_t>(m_.particles);
@@ -141,8 +147,13 @@ class Lister {
       row.begin = packs();
       around(i, soil, [&](std::int32_t j) {
         const auto k = static_cast<std::size_t>(j);
-        if (k != i && near(i, xy_[2 * k], xy_[2 * k + 1])) lists_.neighbours.push_back(j);
+        if (k == i) return;
+        const Real distance2 = square_distance(i, xy_[2 * k], xy_[2 * k + 1]);
+        if (distance2 < support2_) lists_.neighbours.push_back(j);
+        else if (distance2 < reach2_) beyond_.push_back(j);
       });
+      lists_.neighbours.insert(lists_.neighbours.end(), beyond_.begin(), beyond_.end());  // packs of these are skipped
+      beyond_.clear();
       fill_pack();
       row.ghosts = packs();
       if (row.near_wall != 0) around(i, ghosts, [&](std::int32_t g) { try_ghost(i, g); });
@@ -156,14 +167,14 @@ class Lister {
   void fill_pack() {
     while (lists_.neighbours.size() % 4 != 0) lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles));
   }
-  bool near(std::size_t i, Real x, Real y) const {
+  Real square_distance(std::size_t i, Real x, Real y) const {
     const Real dx = x - xy_[2 * i], dy = y - xy_[2 * i + 1];
-    return dx * dx + dy * dy < reach_ * reach_;
+    return dx * dx + dy * dy;
   }
   void try_ghost(std::size_t i, std::int32_t g) {
     const FlowGhost& ghost = lists_.ghosts[static_cast<std::size_t>(g)];
     const Real x = images_[2 * static_cast<std::size_t>(g)], y = images_[2 * static_cast<std::size_t>(g) + 1];
-    if (!near(i, x, y)) return;
+    if (square_distance(i, x, y) >= reach2_) return;
     const FlowWall& wall = m_.walls[static_cast<std::size_t>(ghost.wall)];
     if (ghost.second < 0 && !seen(wall, xy_[2 * i], xy_[2 * i + 1], x, y)) return;
     lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles) + 1 + g);
@@ -181,9 +192,10 @@ class Lister {
   const FlowModel& m_;
   const Array& xy_;
   FlowLists& lists_;
-  Real reach_;
+  Real reach_, reach2_, support2_;
   Cells cells_;
   std::vector<Real> images_;
+  std::vector<std::int32_t> beyond_;
 };
 
 /// Constants of the particles at their present places.

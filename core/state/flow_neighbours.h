@@ -1,5 +1,5 @@
-// Neighbour search of the run-out side: particles sorted by cell, listed with a skin, their images behind the walls, and
-// the tractions of the bonds that live on.
+// Neighbour search of the run-out side: particles sorted by cell, listed with a skin, their images behind the walls,
+// and the tractions of the bonds that live on.
 #pragma once
 
 #include "state/flow_model.h"

@@ -18,10 +18,10 @@ struct FlowGhost {
 
 /// A straight wall. It mirrors the soil in front of it; low and high may be infinite.
 struct FlowWall {
-  double x = 0, y = 0;      ///< a point of it, m
-  double nx = 0, ny = 1;    ///< unit normal into the soil
-  double low = 0, high = 0; ///< extent along (ny, -nx) from that point, m
-  std::int32_t rough = 1;   ///< 1: holds the soil on it; 0: only what comes across
+  double x = 0, y = 0;       ///< a point of it, m
+  double nx = 0, ny = 1;     ///< unit normal into the soil
+  double low = 0, high = 0;  ///< extent along (ny, -nx) from that point, m
+  std::int32_t rough = 1;    ///< 1: holds the soil on it; 0: only what comes across
 };
 
 }  // namespace vbgpd

@@ -9,31 +9,37 @@ inline namespace VBGPD_ISA {
 
 /// Sums over the bonds of one particle.
 struct FlowBondSums {
-  Pack zxx{}, zxy{}, zyx{}, zyy{};        ///< sum B tau (x) n
-  Pack fx{}, fy{}, work{};                ///< sum B tau / r, sum B tau . q dt
-  Pack mxx{}, mxy{}, myy{};               ///< moment of the soil neighbours alone
-  Pack xxx{}, xyy{}, xxy{}, xm{};         ///< sum V_j omega (sigma_j - sigma_i) xi_x of the four stress components
+  Pack zxx{}, zxy{}, zyx{}, zyy{};  ///< sum B tau (x) n
+  Pack fx{}, fy{}, work{};          ///< sum B tau / r, sum B tau . q dt
+  Pack mxx{}, mxy{}, myy{};         ///< moment of the soil neighbours alone
+  Pack xxx{}, xyy{}, xxy{}, xm{};   ///< sum V_j omega (sigma_j - sigma_i) xi_x of the four stress components
   Pack yxx{}, yyy{}, yxy{}, ym{};
 };
 
 /// Four bonds of particle i:
-///   q = (v_j - v_i)/r - Lbar n,  tau <- min(rm_i, rm_j) [turned tau + chi G dt q],  B = V_i V_j omega (1/w0_i + 1/w0_j)
+///   q = (v_j - v_i)/r - Lbar n,  tau <- min(rm_i, rm_j) [turned tau + chi G dt q],  B = V_i V_j omega (1/w0_i +
+///   1/w0_j)
 template <bool kDiffuse>
 VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowBondSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
   const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
+  const Pack x = other.a - own.a, y = other.b - own.b, r = root(x * x + y * y);
+  const Pack weight = pair_weight(c, r);
+  const auto near = weight > Pack{};
+  double* const record = d.traction + 8l * p;
+  if (!any(near)) {
+    store(record, Pack{}), store(record + 4, Pack{});
+    return;
+  }
+  const Pack inverse_r = 1.0 / r;
   const Quads l = broadcast_quad(d.gradient + 4l * i), k = load_quads(d.gradient, j);
   const Quads bond = broadcast_quad(d.bond + 4l * i), end = load_quads(d.bond, j);
-  const Pack x = other.a - own.a, y = other.b - own.b, r = root(x * x + y * y), inverse_r = 1.0 / r;
-  const Pack weight = pair_weight(c, r);
   const Pack bxx = (l.a + k.a) * 0.5, bxy = (l.b + k.b) * 0.5, byx = (l.c + k.c) * 0.5, byy = (l.d + k.d) * 0.5;
   const Pack qx = (other.c - own.c - bxx * x - bxy * y) * inverse_r;
   const Pack qy = (other.d - own.d - byx * x - byy * y) * inverse_r;
   const Pack angle = (byx - bxy) * (0.5 * c.time_step), cosine = 1.0 - 0.5 * angle * angle;
-  double* const record = d.traction + 8l * p;
   const Pack ox = load(record), oy = load(record + 4);
   const Pack stiffness = (bond.c + end.c) * (0.5 * c.time_step), ratio = smaller(bond.a, end.a);
-  const auto near = weight > Pack{};
   const Pack tx = select(near, ratio * (cosine * ox - angle * oy + stiffness * qx), Pack{});
   const Pack ty = select(near, ratio * (cosine * oy + angle * ox + stiffness * qy), Pack{});
   store(record, tx), store(record + 4, ty);
@@ -53,8 +59,8 @@ VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std
   }
 }
 
-/// in  motion, gradient, stress, bond   in/out  traction   out  flux P = Z M^-1 / V with Z = V sigma - sum B tau (x) n/2,
-/// pair_force, and (kDiffuse) slope_x, slope_y: the gradient of the stress among the soil
+/// in  motion, gradient, stress, bond   in/out  traction   out  flux P = Z M^-1 / V with Z = V sigma - sum B tau (x)
+/// n/2, pair_force, and (kDiffuse) slope_x, slope_y: the gradient of the stress among the soil
 template <bool kDiffuse>
 inline void bond_pass(const FlowData& shared, const FlowControls& shared_controls, int first, int last,
                       FlowSums& sums) {

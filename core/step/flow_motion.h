@@ -19,10 +19,12 @@ template <bool kDiffuse>
 VBGPD_INLINE void add_soil(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowForceSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
   const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
+  const Pack x = other.a - own.a, y = other.b - own.b, r2 = x * x + y * y, r = root(r2);
+  const Pack weight = pair_weight(c, r);
+  if (!any(weight > Pack{})) return;
   const Quads mine = broadcast_quad(d.flux + 4l * i), its = load_quads(d.flux, j);
   const Quads self = broadcast_quad(d.constants + 4l * i), end = load_quads(d.constants, j);
-  const Pack x = other.a - own.a, y = other.b - own.b, r2 = x * x + y * y, r = root(r2);
-  const Pack weight = pair_weight(c, r), wx = weight * end.a * x, wy = weight * end.a * y;
+  const Pack wx = weight * end.a * x, wy = weight * end.a * y;
   s.fx += (mine.a + its.a) * wx + (mine.b + its.b) * wy;
   s.fy += (mine.c + its.c) * wx + (mine.d + its.d) * wy;
   // Monaghan's viscosity on approach: V_i V_j rho omega (alpha c h) (v . xi)/(r2 + 0.01 h2) xi, v . xi < 0
@@ -67,7 +69,7 @@ VBGPD_INLINE void add_ghosts(const FlowData& d, const FlowControls& c, int i, st
   s.bx += b.a * wx + b.b * wy;
   s.by += b.c * wx + b.d * wy;
   const Pack closing = smaller((other.c - own.c) * x + (other.d - own.d) * y, Pack{});
-  const Pack drag = c.viscosity * weight * d.constants[4l*i+1] * closing / (x * x + y * y + c.softening);
+  const Pack drag = c.viscosity * weight * d.constants[4l * i + 1] * closing / (x * x + y * y + c.softening);
   s.hx += drag * x, s.hy += drag * y;
 }
 

@@ -20,9 +20,9 @@ VBGPD_INLINE Returned<double> returned(const FlowLaw& law, double extra_cohesion
   return law.algorithm == 0 ? Cone<double>(constants).returned(trial) : Hexagon<double>(constants).returned(trial);
 }
 
-/// stress: deviator xx, yy, xy and mean; l: velocity gradient xx, xy, yx, yy at the end of the drift. The gradient in the
-/// middle of it, G = L (1 - L dt/2)^-1, is exactly antisymmetric for a rigid turn (Hughes & Winget 1980).
-/// 1 a particle that came apart in tension closes before it carries pressure again (without that memory it would be
+/// stress: deviator xx, yy, xy and mean; l: velocity gradient xx, xy, yx, yy at the end of the drift. The gradient in
+/// the middle of it, G = L (1 - L dt/2)^-1, is exactly antisymmetric for a rigid turn (Hughes & Winget 1980). 1 a
+/// particle that came apart in tension closes before it carries pressure again (without that memory it would be
 ///   given volume and energy);
 /// 2 the deviator turns exactly by the angle of that turn;
 /// 3 elastic increment; 4, 5 tension cut-off and yield surface by the return of the law.

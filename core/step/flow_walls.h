@@ -45,8 +45,8 @@ inline void place_ghosts(const FlowData& d) {
 }
 
 /// The mirrored stress is what the wall would see; over the distance 2d between particle and image it grows by the
-/// weight: P_g -= 2 d rho b (x) n (only across where the wall is smooth), at most doubling the pressure there: soil that
-/// carries no stress is not held up.
+/// weight: P_g -= 2 d rho b (x) n (only across where the wall is smooth), at most doubling the pressure there: soil
+/// that carries no stress is not held up.
 VBGPD_INLINE void add_weight(const FlowData& d, const FlowWall& w, int parent, const double* image, double* weight) {
   const double depth = -distance_to(w, image[0], image[1]);
   const double* const s = d.stress + 4l * parent;

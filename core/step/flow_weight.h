@@ -19,7 +19,12 @@ struct Inverse {
   double xx, xy, yy;
 };
 VBGPD_INLINE Inverse floored_inverse(double xx, double xy, double yy, double floor) {
-  const double mean = 0.5 * (xx + yy), half = 0.5 * (xx - yy), radius = root(half * half + xy * xy);
+  const double trace = xx + yy, determinant = xx * yy - xy * xy;
+  if (determinant > floor * (trace - floor) && trace > 2 * floor) {  // both above the floor
+    const double inverse = 1 / determinant;
+    return {yy * inverse, -xy * inverse, xx * inverse};
+  }
+  const double mean = 0.5 * trace, half = 0.5 * (xx - yy), radius = root(half * half + xy * xy);
   const double large = larger(mean + radius, floor), small = larger(mean - radius, floor);
   const double p = 0.5 * (1 / large + 1 / small), q = 0.5 * (1 / large - 1 / small);
   const double scale = radius > 0 ? q / radius : 0;

@@ -65,7 +65,8 @@ void describe_run(CLI::App& app, RunOptions& options) {
   app.add_option("--frames", options.frames, "how many pictures and particle files between start and T (default 10)")
       ->type_name("N")
       ->check(CLI::Range(1, 10000));
-  app.add_option("--output", options.output, "directory for series.csv, ground.csv, run.pvd and a .vtu and .png a frame")
+  app.add_option("--output", options.output,
+                 "directory for series.csv, ground.csv, run.pvd and a .vtu and .png a frame")
       ->type_name("DIR");
   app.add_option("--spacing", options.spacing, "m between particles, instead of the scene's")
       ->type_name("H")

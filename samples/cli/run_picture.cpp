@@ -17,13 +17,12 @@ picture::Sheet run_sheet(const Scene& scene, const vbgpd_model* model, const Run
   const std::vector<double> place = field(model, "position"), strain = field(model, "plastic_strain");
   const std::vector<double> volume = field(model, "volume"), material = field(model, "material");
   for (std::size_t i = 0; i < volume.size(); ++i)
-    sheet.grains.push_back({place[2 * i], place[2 * i + 1], std::sqrt(volume[i] / kPi) * 1.12, strain[i],
-                            static_cast<int>(material[i])});
+    sheet.grains.push_back(
+        {place[2 * i], place[2 * i + 1], std::sqrt(volume[i] / kPi) * 1.12, strain[i], static_cast<int>(material[i])});
   sheet.footer = "Method: " + result.scheme + "; flow rule " + result.flow_rule + "; strength reduction factor " +
                  plain_number(result.factor, 4) + "; viscosity " + plain_number(result.viscosity, 3) +
-                 " m2/s. Spacing " + plain_number(result.spacing, 3) + " m, " +
-                 counted(result.particles, "particle") + ". The line is the section before. vbgpd " +
-                 vbgpd_version_string();
+                 " m2/s. Spacing " + plain_number(result.spacing, 3) + " m, " + counted(result.particles, "particle") +
+                 ". The line is the section before. vbgpd " + vbgpd_version_string();
   return sheet;
 }
 

@@ -18,7 +18,8 @@ TEST(RunoutMotion, PrescribedTurnOnlyTurnsTheStress) {
   const std::size_t n = state.gap.size();
   const double xx = 2e4, yy = -1e4, xy = 0.5e4, mean = 0.3e4, young_modulus = 1e6;
   for (std::size_t i = 0; i < n; ++i)
-    state.stress[4 * i] = xx, state.stress[4 * i + 1] = yy, state.stress[4 * i + 2] = xy, state.stress[4 * i + 3] = mean;
+    state.stress[4 * i] = xx, state.stress[4 * i + 1] = yy, state.stress[4 * i + 2] = xy,
+                     state.stress[4 * i + 3] = mean;
   const int steps = 4000;
   const double angle = 20.0 / steps, dt = s->get("time_step");
   double worst = 0;

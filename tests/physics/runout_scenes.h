@@ -19,7 +19,8 @@ inline SceneDef free_body(const MaterialDef& material, double width, double heig
   return s;
 }
 
-/// Bui's column of aluminium bars (2008): 0.2 m x 0.1 m, 19.8 degrees, no cohesion; rough base, smooth wall on the left.
+/// Bui's column of aluminium bars (2008): 0.2 m x 0.1 m, 19.8 degrees, no cohesion; rough base, smooth wall on the
+/// left.
 inline SceneDef bar_column(double rows) {
   MaterialDef bars = soil("drucker_prager", 0, 19.8);
   bars.unit_weight = 2650 * 9.81, bars.young_modulus = 0.84e6;

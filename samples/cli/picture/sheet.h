@@ -58,7 +58,7 @@ struct Sheet {
   std::vector<Cell> cells;
   double spacing_x = 1, spacing_y = 1;
   std::vector<Grain> grains;  ///< not empty: soil in motion, drawn instead of cells and layers
-  Polyline slip;  ///< empty = none found
+  Polyline slip;              ///< empty = none found
 };
 
 enum class Format { kSvg, kPng, kPdf };
