@@ -34,8 +34,22 @@ Real FlowSimulation::plastic_bond_count() const {
   return count;
 }
 
+namespace {
+
+void require_known(std::string_view name) {
+  for (const std::string_view known :
+       {"position", "reference_position", "displacement", "velocity", "stress", "plastic_strain",
+        "plastic_bond_fraction", "volume", "mass", "material", "boundary", "particle_id", "bond_particles",
+        "bond_state", "bond_stress", "bond_plastic_strain"})
+    if (name == known) return;
+  throw Error(Status::kUnsupported, "a run-out has no field '" + std::string(name) + "'");
+}
+
+}  // namespace
+
 void FlowSimulation::read(int field, std::vector<double>& out) const {
   const FieldInfo& info = fields()[static_cast<std::size_t>(field)];
+  require_known(info.name);
   if (info.type == FieldType::kInteger) {
     std::vector<std::int64_t> integers;
     read(field, integers);
@@ -99,6 +113,7 @@ void FlowSimulation::read_bonds(int field, std::vector<double>& out) const {
 
 void FlowSimulation::read(int field, std::vector<std::int64_t>& out) const {
   const FieldInfo& info = fields()[static_cast<std::size_t>(field)];
+  require_known(info.name);
   if (info.type != FieldType::kInteger)
     throw Error(Status::kArgument, std::string("field '") + info.name + "' holds real numbers; read it as such");
   const std::string_view name = info.name;

@@ -73,7 +73,11 @@ std::string particles_vtu(const vbgpd_model* model) {
     vbgpd_field_info info{};
     info.struct_size = sizeof info;
     if (vbgpd_field_info_at(i, &info) != VBGPD_OK || info.location != VBGPD_AT_PARTICLE) continue;
-    data_array(out, info.name, "Float64", padded(info.components), numbers(field(model, info.name), info.components));
+    std::vector<double> values(n * static_cast<std::size_t>(info.components));
+    const auto index = static_cast<std::int32_t>(i);
+    if (vbgpd_model_read_f64(model, index, values.data(), 0, 0, static_cast<std::int64_t>(n), nullptr) != VBGPD_OK)
+      continue;  // a field that a run-out does not have
+    data_array(out, info.name, "Float64", padded(info.components), numbers(values, info.components));
   }
   out.CloseElement();
   for (int level = 0; level < 3; ++level) out.CloseElement();
