@@ -629,6 +629,21 @@ module vbgpd_c
       integer(c_int32_t) :: outcome
     end function vbgpd_model_restore_checkpoint
 
+    ! ---- run-out
+    function vbgpd_model_create_runout(from, out) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: from
+      type(c_ptr), intent(inout) :: out
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_create_runout
+
+    function vbgpd_job_create_runout(model, out) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      type(c_ptr), intent(inout) :: out
+      integer(c_int32_t) :: outcome
+    end function vbgpd_job_create_runout
+
     ! ---- jobs: long analyses in slices
     function vbgpd_job_create_equilibrium(model, out) result(outcome) bind(C)
       import

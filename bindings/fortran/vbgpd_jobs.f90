@@ -1,4 +1,4 @@
-! Jobs: equilibrium or strength reduction, advanced in slices; their results.
+! Jobs: equilibrium, strength reduction or run-out, advanced in slices; their results.
 module vbgpd_jobs
   use vbgpd_c
   use vbgpd_base_models, only: vbgpd_base_model
@@ -12,6 +12,7 @@ module vbgpd_jobs
   contains
     procedure :: create_equilibrium
     procedure :: create_strength_reduction
+    procedure :: create_runout
     procedure :: destroy
     procedure :: set => set_number
     procedure :: run
@@ -54,6 +55,20 @@ contains
     call adopt(self, fresh, status)
     call conclude(status, vbgpd_model_error, model%handle, stat, errmsg)
   end subroutine create_strength_reduction
+
+  ! The model must be a run-out model (create_runout of vbgpd_model).
+  subroutine create_runout(self, model, stat, errmsg)
+    class(vbgpd_job), intent(inout) :: self
+    class(vbgpd_model), intent(in) :: model
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(c_ptr) :: fresh
+    integer(c_int32_t) :: status
+    fresh = c_null_ptr
+    status = vbgpd_job_create_runout(model%handle, fresh)
+    call adopt(self, fresh, status)
+    call conclude(status, vbgpd_model_error, model%handle, stat, errmsg)
+  end subroutine create_runout
 
   subroutine adopt(self, fresh, status)
     class(vbgpd_job), intent(inout) :: self

@@ -24,6 +24,7 @@ module vbgpd_models
     procedure :: restore
     procedure :: checkpoint
     procedure :: create_from_checkpoint
+    procedure :: create_runout
     procedure :: restore_checkpoint
     procedure :: events
     procedure :: select
@@ -98,6 +99,22 @@ contains
     end if
     call conclude(status, vbgpd_context_error, context%handle, stat, errmsg)
   end subroutine create_from_checkpoint
+
+  ! Goes on from the present state of another model in updated-Lagrangian form; that one is not changed.
+  subroutine create_runout(self, from, stat, errmsg)
+    class(vbgpd_model), intent(inout) :: self
+    class(vbgpd_model), intent(in) :: from
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(c_ptr) :: fresh
+    integer(c_int32_t) :: status, ignored
+    fresh = c_null_ptr
+    status = vbgpd_model_create_runout(from%handle, fresh)
+    call conclude(status, vbgpd_model_error, from%handle, stat, errmsg)
+    if (status < 0) return
+    ignored = vbgpd_model_destroy(self%handle)
+    self%handle = fresh
+  end subroutine create_runout
 
   subroutine restore_checkpoint(self, bytes, stat, errmsg)
     class(vbgpd_model), intent(in) :: self

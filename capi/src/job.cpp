@@ -138,6 +138,10 @@ vbgpd_status vbgpd_job_create_strength_reduction(vbgpd_model* model, vbgpd_job**
   return create_job(model, out, make_strength_reduction);
 }
 
+vbgpd_status vbgpd_job_create_runout(vbgpd_model* model, vbgpd_job** out) {
+  return create_job(model, out, make_runout_job);
+}
+
 vbgpd_status vbgpd_job_set_f64(vbgpd_job* job, const char* name, int64_t len, double value) {
   return with(job, [&](JobObject& object) {
     object.job->set(text_in(name, len, 2, "name"), value);

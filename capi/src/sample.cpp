@@ -1,6 +1,7 @@
 // Fields at any place: points, lines, rasters, the ground surface.
 #include <cmath>
 
+#include "analysis/runout_shape.h"
 #include "arrays.h"
 #include "guard.h"
 #include "selection.h"
@@ -96,7 +97,8 @@ vbgpd_status vbgpd_model_sample_grid(const vbgpd_model* model, int32_t field, do
 
 vbgpd_status vbgpd_model_ground_surface(const vbgpd_model* model, double* xy, int64_t stride, int64_t cap, int64_t* n) {
   return with(model, [&](ModelObject& object) {
-    points_out(deformed_ground(*object.engine->simulation), xy, stride, cap, n, 2);
+    const Simulation& simulation = *object.engine->simulation;
+    points_out(simulation.runs_out() ? ground_surface(simulation) : deformed_ground(simulation), xy, stride, cap, n, 2);
     return Status::kOk;
   });
 }

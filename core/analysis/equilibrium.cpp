@@ -58,6 +58,9 @@ class EquilibriumJob final : public SliceJob {
 
 }  // namespace
 
-std::unique_ptr<Job> make_equilibrium(Simulation& simulation) { return std::make_unique<EquilibriumJob>(simulation); }
+std::unique_ptr<Job> make_equilibrium(Simulation& simulation) {
+  require_fixed_bonds(simulation, "equilibrium");
+  return std::make_unique<EquilibriumJob>(simulation);
+}
 
 }  // namespace vbgpd

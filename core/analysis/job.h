@@ -12,7 +12,7 @@
 
 namespace vbgpd {
 
-enum class Phase : int { kGravity = 1, kSearch = 2, kStableEnd = 3, kFailedEnd = 4, kSlipSurface = 5 };
+enum class Phase : int { kGravity = 1, kSearch = 2, kStableEnd = 3, kFailedEnd = 4, kSlipSurface = 5, kRunout = 6 };
 
 struct Progress {
   int level = 0, trial = 0;
@@ -50,14 +50,18 @@ struct Level {
 };
 
 struct JobResult {
-  std::string status = "NOT_RUN";  ///< OK, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER,
-                                   ///< NOT_MONOTONIC, THIN_LAYER, TARGET_NOT_MET, DIVERGED
+  std::string status =
+      "NOT_RUN";  ///< OK, AT_REST, TIME_REACHED, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED,
+                  ///< NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, TARGET_NOT_MET, DIVERGED
   std::string reason, scheme, reduced, flow_rule;
   double factor_of_safety = kNone, srf_stable = kNone, srf_unstable = kNone, error_estimate = kNone;
   double displacement_level = kNone, sliding_area = kNone, energy_residual = kNone;
   double unbalanced_force_ratio = kNone, max_displacement = kNone;
   double observed_order = kNone;                                  ///< of three grids
   double next_level_spacing = kNone, next_level_seconds = kNone;  ///< of one more grid: m, and the wall time predicted
+  // of a run-out (runout_shape.h)
+  double crest_settlement = kNone, toe_displacement = kNone, runout_distance = kNone, moved_area = kNone,
+         plastic_fraction = kNone;
   std::int64_t steps = 0;
   double wall_seconds = 0, cpu_seconds = 0;
   std::vector<Level> levels;
@@ -94,5 +98,8 @@ std::unique_ptr<Job> make_equilibrium(Simulation& simulation);
 /// Factor of safety by strength reduction, coarse to fine. Leaves the simulation in the failing state of its own grid,
 /// which is the finest one unless "target_error" or "budget" go on to finer ones (or end before it).
 std::unique_ptr<Job> make_strength_reduction(Simulation& simulation);
+/// Lets a run-out model move until it rests, or to the job's end_time. A model without stress is first brought to
+/// equilibrium under gravity without strengths. Throws Error(kState) unless the simulation runs out.
+std::unique_ptr<Job> make_runout_job(Simulation& simulation);
 
 }  // namespace vbgpd

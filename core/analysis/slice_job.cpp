@@ -17,12 +17,19 @@ constexpr JobOption kOptions[] = {
     {"target_error", "1", "ends when the error estimate is this small; 0 = no target", 0, 0, 1},
     {"budget", "s", "wall time within which grids are begun and ended; 0 = no limit", 0, 0, 1e9},
     {"careful", "1", "0 fast search, then verification; 1 plain bisection from the gravity state", 0, 0, 1},
+    {"end_time", "s", "run-out: simulated time to stop at; 0 = at rest", 0, 0, 1e9},
     {"step_limit", "1", "steps after which a trial is undecided; 0 = 30 response times", 0, 0, 1e12},
 };
 
 }  // namespace
 
 std::span<const JobOption> job_options() { return kOptions; }
+
+void require_fixed_bonds(const Simulation& simulation, std::string_view what) {
+  if (simulation.runs_out())
+    throw Error(Status::kState,
+                "a model that runs out has no " + std::string(what) + "; ask the model it was made from");
+}
 
 SliceJob::SliceJob(Simulation& simulation) : simulation_(simulation) {
   for (const JobOption& o : kOptions) options_[o.name] = o.default_value;
@@ -97,6 +104,11 @@ double SliceJob::get(std::string_view name) const {
   if (name == "energy_residual") return r.energy_residual;
   if (name == "unbalanced_force_ratio") return r.unbalanced_force_ratio;
   if (name == "max_displacement") return r.max_displacement;
+  if (name == "crest_settlement") return r.crest_settlement;
+  if (name == "toe_displacement") return r.toe_displacement;
+  if (name == "runout_distance") return r.runout_distance;
+  if (name == "moved_area") return r.moved_area;
+  if (name == "plastic_fraction") return r.plastic_fraction;
   if (name == "levels") return started_ ? static_cast<double>(r.levels.size()) : option("levels");
   if (name == "observed_order") return r.observed_order;
   if (name == "next_level_spacing") return r.next_level_spacing;

@@ -37,4 +37,7 @@ class SliceJob : public Job {
   bool started_ = false, finished_ = false;
 };
 
+/// Throws Error(kState) for a model that runs out: its bonds come and go, so there is no section left to search.
+void require_fixed_bonds(const Simulation& simulation, std::string_view what);
+
 }  // namespace vbgpd

@@ -279,6 +279,7 @@ class StrengthReductionJob final : public SliceJob {
 }  // namespace
 
 std::unique_ptr<Job> make_strength_reduction(Simulation& simulation) {
+  require_fixed_bonds(simulation, "strength reduction");
   return std::make_unique<StrengthReductionJob>(simulation);
 }
 

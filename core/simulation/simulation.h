@@ -123,6 +123,7 @@ class Simulation {
   virtual const Section& section() const = 0;
   virtual std::int64_t particle_count() const = 0;  ///< soil first, then walls
   virtual std::int64_t bond_count() const = 0;
+  virtual bool runs_out() const { return false; }  ///< updated-Lagrangian: bonds come and go, no factor of safety
 
   /// Dynamic steps with true masses at the stable time step; `cancel` may be null.
   virtual StepReport step(std::int64_t steps, const std::atomic<bool>* cancel) = 0;

@@ -24,8 +24,21 @@ struct FosOptions {
   bool json = false, quiet = false, careful = false;
 };
 
+struct RunOptions {
+  std::string scene;
+  std::optional<double> spacing;  ///< m
+  double time = 0;                ///< s
+  double factor = 1;              ///< strength reduction factor
+  int frames = 10;
+  int threads = 1;
+  std::string output;  ///< directory, "" = no files
+  std::vector<std::string> pictures;
+  bool json = false, quiet = false;
+};
+
 /// Each gives the exit code of the program, or throws BadInput.
 int run_check(const CheckOptions& options);
 int run_fos(const FosOptions& options);
+int run_run(const RunOptions& options);
 
 }  // namespace cli

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "format.h"
+
 namespace cli {
 
 namespace {
@@ -112,6 +114,18 @@ double number(const vbgpd_model* model, const char* name) {
   double value = 0;
   require(vbgpd_model_get_f64(model, name, VBGPD_STRLEN, &value), model);
   return value;
+}
+
+std::string state_hash(const vbgpd_model* model) {
+  std::uint64_t hash = 0;
+  require(vbgpd_model_state_hash(model, &hash), model);
+  return format("%016llx", static_cast<unsigned long long>(hash));
+}
+
+std::vector<Point> ground_surface(const vbgpd_model* model) {
+  return read_points(model, [&](double* xy, std::int64_t capacity, std::int64_t* n) {
+    return vbgpd_model_ground_surface(model, xy, kPointStride, capacity, n);
+  });
 }
 
 std::vector<double> field(const vbgpd_model* model, const char* name) {

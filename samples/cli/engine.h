@@ -66,6 +66,9 @@ std::string text(const vbgpd_profile* profile, std::int32_t kind, std::int64_t i
 std::vector<Point> polygon(const vbgpd_profile* profile, std::int32_t kind, std::int64_t id);
 
 double number(const vbgpd_model* model, const char* name);
+std::string state_hash(const vbgpd_model* model);
+/// The present ground surface from left to right.
+std::vector<Point> ground_surface(const vbgpd_model* model);
 /// All items of a field, packed rows.
 std::vector<double> field(const vbgpd_model* model, const char* name);
 

@@ -21,12 +21,6 @@ std::vector<Item> read_items(const vbgpd_job* job, vbgpd_status (*read)(const vb
   }
 }
 
-std::string hash_of(const vbgpd_model* model) {
-  std::uint64_t hash = 0;
-  require(vbgpd_model_state_hash(model, &hash), model);
-  return format("%016llx", static_cast<unsigned long long>(hash));
-}
-
 }  // namespace
 
 FosResult read_result(const vbgpd_job* job, const vbgpd_model* model, vbgpd_status outcome) {
@@ -51,7 +45,7 @@ FosResult read_result(const vbgpd_job* job, const vbgpd_model* model, vbgpd_stat
   r.levels = read_items<vbgpd_level>(job, vbgpd_job_level);
   r.trials = read_items<vbgpd_trial>(job, vbgpd_job_trial);
   r.slip_surface = slip_surface(job);
-  r.hash = hash_of(model);
+  r.hash = state_hash(model);
   if (outcome == VBGPD_CANCELLED) r.status = "CANCELLED", r.reason = "stopped on request before the search had ended";
   if (outcome == VBGPD_E_DIVERGED) r.status = "DIVERGED", r.reason = error_text(job);
   return r;

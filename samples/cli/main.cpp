@@ -53,6 +53,35 @@ void describe_fos(CLI::App& app, FosOptions& options) {
   app.add_flag("--careful", options.careful, "plain bisection from the gravity state instead of the fast search");
 }
 
+void describe_run(CLI::App& app, RunOptions& options) {
+  app.add_option("SCENE", options.scene, "scene file (JSON)")->required();
+  app.add_option("--time", options.time, "simulated time to stop at; the run ends before when all is at rest")
+      ->type_name("T")
+      ->required()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--factor", options.factor, "strength reduction factor: c and tan phi are divided by it (default 1)")
+      ->type_name("F")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--frames", options.frames, "how many pictures and particle files between start and T (default 10)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000));
+  app.add_option("--output", options.output,
+                 "directory for series.csv, ground.csv, run.pvd and a .vtu and .png a frame")
+      ->type_name("DIR");
+  app.add_option("--spacing", options.spacing, "m between particles, instead of the scene's")
+      ->type_name("H")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--threads", options.threads, "threads (default 1), 0 = all cores; the result does not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  app.add_option("--picture", options.pictures, "draw the final state; may be repeated")
+      ->type_name("FILE.svg|.png|.pdf")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_flag("--json", options.json, "print the result as one JSON object");
+  app.add_flag("--quiet", options.quiet, "no progress line");
+}
+
 /// The command's exit code; whatever the user can put right is said in one line per problem.
 template <class Command, class Options>
 int guarded(Command command, const Options& options) {
@@ -80,14 +109,18 @@ int main(int argc, char** argv) {
   app.footer("Exit code: 0 done, 2 bad input, 3 not converged, 4 diverged, 130 cancelled.");
   CheckOptions check_options;
   FosOptions fos_options;
+  RunOptions run_options;
   CLI::App* check = app.add_subcommand("check", "say what is wrong with a scene, or what it holds");
   CLI::App* fos = app.add_subcommand("fos", "factor of safety and critical slip surface by strength reduction");
+  CLI::App* run = app.add_subcommand("run", "let the slope move, from the first plastic bonds to rest");
   describe_check(*check, check_options);
   describe_fos(*fos, fos_options);
+  describe_run(*run, run_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadInput;
   }
+  if (run->parsed()) return guarded(run_run, run_options);
   return check->parsed() ? guarded(run_check, check_options) : guarded(run_fos, fos_options);
 }

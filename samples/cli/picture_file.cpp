@@ -124,13 +124,11 @@ void require_writable_picture(const std::string& file) {
   if (!existed) fs::remove(file, unknown);
 }
 
-picture::Sheet picture_sheet(const Scene& scene, const vbgpd_model* model, const FosResult& result) {
+picture::Sheet section_sheet(const Scene& scene) {
   const vbgpd_profile* profile = scene.profile.get();
   picture::Sheet sheet;
   sheet.title = text(profile, VBGPD_OBJECT_PROFILE, 0, "name");
   sheet.subtitle = source_text(profile, sheet.title);
-  sheet.result = factor_of_safety_label(result);
-  if (result.status != "OK") sheet.remark = result.status + ": " + result.reason;
   sheet.exterior = polyline(polygon(profile, VBGPD_OBJECT_PROFILE, 0));
   sheet.materials = materials(profile);
   sheet.layers = layers(profile, sheet.materials);
@@ -138,6 +136,13 @@ picture::Sheet picture_sheet(const Scene& scene, const vbgpd_model* model, const
   sheet.loads = loads(profile);
   sheet.kh = number(profile, VBGPD_OBJECT_PROFILE, 0, "kh");
   sheet.kv = number(profile, VBGPD_OBJECT_PROFILE, 0, "kv");
+  return sheet;
+}
+
+picture::Sheet picture_sheet(const Scene& scene, const vbgpd_model* model, const FosResult& result) {
+  picture::Sheet sheet = section_sheet(scene);
+  sheet.result = factor_of_safety_label(result);
+  if (result.status != "OK") sheet.remark = result.status + ": " + result.reason;
   sheet.cells = cells(model);
   sheet.spacing_x = number(model, "spacing_x");
   sheet.spacing_y = number(model, "spacing_y");

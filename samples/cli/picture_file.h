@@ -17,6 +17,9 @@ void require_writable_picture(const std::string& file);
 /// Everything that is drawn, gathered from the scene, the model in its failing state and the result.
 picture::Sheet picture_sheet(const Scene& scene, const vbgpd_model* model, const FosResult& result);
 
+/// The section of a scene alone: outline, soils, supports, loads.
+picture::Sheet section_sheet(const Scene& scene);
+
 /// Throws BadInput when the file cannot be written after all.
 void write_picture(const picture::Sheet& sheet, const std::string& file);
 

@@ -18,6 +18,8 @@ std::string phase_text(const vbgpd_progress& p) {
       return "gravity";
     case 5:
       return "slip surface";
+    case 6:
+      return format("moving  u=%.3g m", p.max_displacement);
     default:
       return format("trial %d  F=%.3f", p.trial + 1, p.strength_reduction_factor);
   }

@@ -54,6 +54,8 @@ static vbgpd_event event;
   X(MODEL, vbgpd_model_cancel, (h))                                                              \
   X(MODEL, vbgpd_job_create_equilibrium, (h, (vbgpd_job**)&out))                                 \
   X(MODEL, vbgpd_job_create_strength_reduction, (h, (vbgpd_job**)&out))                          \
+  X(MODEL, vbgpd_model_create_runout, (h, (vbgpd_model**)&out))                                  \
+  X(MODEL, vbgpd_job_create_runout, (h, (vbgpd_job**)&out))                                      \
   X(MODEL, vbgpd_model_item_count, (h, VBGPD_AT_BOND, &n))                                       \
   X(MODEL, vbgpd_model_read_f64, (h, 0, xy, 0, 0, 1, &n))                                        \
   X(MODEL, vbgpd_model_read_i64, (h, 0, &id, 0, 0, 1, &n))                                       \

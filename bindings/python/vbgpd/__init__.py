@@ -216,6 +216,13 @@ class Model(_Object):
     def __init__(self, context, profile):
         super().__init__(context._library, "vbgpd_model_create", context.handle, profile.handle, owner=context)
 
+    @classmethod
+    def runout_of(cls, model):
+        """A model that goes on from the present state of another one in updated-Lagrangian form: large motion, to rest."""
+        made = cls.__new__(cls)
+        _Object.__init__(made, model._library, "vbgpd_model_create_runout", model.handle, owner=model)
+        return made
+
     def set(self, name, value):
         """"damping" or "strength_reduction_factor" of step()."""
         key = name.encode()
@@ -429,7 +436,7 @@ class State(_Object):
 
 
 class Job(_Object):
-    """A long analysis: Job.equilibrium(model) or Job.strength_reduction(model, ...). Works on that model."""
+    """A long analysis: Job.equilibrium(model), Job.strength_reduction(model, ...) or Job.runout(model, ...)."""
 
     _name = "job"
 
@@ -445,6 +452,14 @@ class Job(_Object):
     def strength_reduction(cls, model, **options):
         """Finds the factor of safety. Options: srf_min, srf_max, srf_tolerance, levels, target_error, budget, careful, step_limit."""
         job = cls(model, "vbgpd_job_create_strength_reduction")
+        for name, value in options.items():
+            job.set(name, value)
+        return job
+
+    @classmethod
+    def runout(cls, model, **options):
+        """Lets a run-out model (Model.runout_of) move to rest, or to the option end_time in seconds."""
+        job = cls(model, "vbgpd_job_create_runout")
         for name, value in options.items():
             job.set(name, value)
         return job

@@ -340,6 +340,9 @@ FUNCTIONS = {
     "vbgpd_model_checkpoint": (c_int32, (vbgpd_model, c_void_p, c_int64, POINTER(c_int64))),
     "vbgpd_model_create_from_checkpoint": (c_int32, (vbgpd_context, c_void_p, c_int64, POINTER(vbgpd_model))),
     "vbgpd_model_restore_checkpoint": (c_int32, (vbgpd_model, c_void_p, c_int64)),
+    # run-out
+    "vbgpd_model_create_runout": (c_int32, (vbgpd_model, POINTER(vbgpd_model))),
+    "vbgpd_job_create_runout": (c_int32, (vbgpd_model, POINTER(vbgpd_job))),
     # jobs: long analyses in slices
     "vbgpd_job_create_equilibrium": (c_int32, (vbgpd_model, POINTER(vbgpd_job))),
     "vbgpd_job_create_strength_reduction": (c_int32, (vbgpd_model, POINTER(vbgpd_job))),

@@ -208,7 +208,7 @@ typedef struct vbgpd_progress {
   uint32_t struct_size;
   int32_t level;                    /* which grid, 0 = coarsest */
   int32_t trial;                    /* which strength reduction factor, from 0 */
-  int32_t phase;                    /* 1 gravity, 2 search, 3 stable end, 4 failed end, 5 slip surface */
+  int32_t phase;                    /* 1 gravity, 2 search, 3 stable end, 4 failed end, 5 slip surface, 6 run-out */
   int64_t steps;                    /* since the job began, all grids */
   double fraction;                  /* estimate of the work done, [0, 1] */
   double strength_reduction_factor; /* of the trial now running */
@@ -261,6 +261,20 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_checkpoint(const vbgpd_model*, voi
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_from_checkpoint(vbgpd_context*, const void* bytes, int64_t len, vbgpd_model** out);
 /* Takes a model of the same profile back to a checkpoint; VBGPD_E_FORMAT when it is of another section. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_restore_checkpoint(vbgpd_model*, const void* bytes, int64_t len);
+
+/* ---- run-out: large motion, from the first plastic bonds to rest ------------------------------------------------ */
+/* A new model that goes on from the present state of `from` (positions, stresses, plastic strain, strength reduction factor;
+ * at rest) in updated-Lagrangian form: bonds come and go with the neighbours, walls are mirrors that go on straight beyond
+ * the section where nothing adjoins. `from` may be fresh, loaded by an equilibrium job, or failed by a strength reduction; it
+ * is not changed. The new model has soil particles only, with the same ids. It is stepped, read and hashed like any other;
+ * get_f64 also knows peak_kinetic_energy, viscous_dissipation, contact_work, yielding_area, viscosity (alpha c h, m2/s),
+ * neighbour_searches. VBGPD_E_STATE: `from` is a run-out already; VBGPD_E_UNSUPPORTED: moving boundaries, other kernels. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_runout(const vbgpd_model* from, vbgpd_model** out);
+/* Works on a run-out model. A model without stress is first brought to equilibrium under gravity without strengths (phase 1);
+ * then it moves (phase 6) until its kinetic energy is below 1e-6 of its peak, or to the job's "end_time" (s of the model's
+ * time; 0 = to rest). Afterwards another job goes on with the same model. Results: status AT_REST or TIME_REACHED,
+ * crest_settlement, toe_displacement, runout_distance, moved_area, plastic_fraction, max_displacement, energy_residual. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_runout(vbgpd_model*, vbgpd_job** out);
 
 /* ---- jobs: long analyses in slices ------------------------------------------------------------------------- */
 /* A job works on the model it was made for; while a slice runs that model answers VBGPD_E_BUSY to other threads and

@@ -64,10 +64,15 @@ void paint(cairo_t* cr, const Sheet& sheet, const Layout& layout) {
   cairo_set_source_rgb(cr, 1, 1, 1);
   cairo_paint(cr);
   cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-  const double largest = largest_shown(sheet.cells);
+  const bool moving = !sheet.grains.empty();
+  const double largest = moving ? largest_shown(sheet.grains) : largest_shown(sheet.cells);
   draw_axes(cr, layout);
-  draw_materials(cr, sheet, layout);
-  draw_strain(cr, sheet, layout, largest);
+  if (moving) {
+    draw_grains(cr, sheet, layout, largest);
+  } else {
+    draw_materials(cr, sheet, layout);
+    draw_strain(cr, sheet, layout, largest);
+  }
   draw_outlines(cr, sheet, layout);
   draw_supports(cr, sheet, layout);
   draw_loads(cr, sheet, layout);

@@ -128,6 +128,10 @@ double ground_elevation(const Polyline& exterior, double x) {
 Layout arrange(cairo_t* cr, const Sheet& sheet) {
   Layout l;
   l.world = bounds(sheet.exterior);
+  for (const Grain& g : sheet.grains) {
+    l.world.x0 = std::min(l.world.x0, g.x - g.radius), l.world.x1 = std::max(l.world.x1, g.x + g.radius);
+    l.world.y0 = std::min(l.world.y0, g.y - g.radius), l.world.y1 = std::max(l.world.y1, g.y + g.radius);
+  }
   l.scale = page_scale(l.world);
   l.free_corner_left = ground_elevation(sheet.exterior, l.world.x0) < ground_elevation(sheet.exterior, l.world.x1);
   l.x_ticks = x_ticks(cr, l.world, l.scale);

@@ -10,6 +10,9 @@ void draw_materials(cairo_t* cr, const Sheet& sheet, const Layout& layout);
 void draw_outlines(cairo_t* cr, const Sheet& sheet, const Layout& layout);
 /// Plastic strain, a coloured square per particle cut by the outline. `largest` is the strain of the last colour.
 void draw_strain(cairo_t* cr, const Sheet& sheet, const Layout& layout, double largest);
+/// Soil in motion: its particles in the colour of their material, plastic strain over it.
+void draw_grains(cairo_t* cr, const Sheet& sheet, const Layout& layout, double largest);
+double largest_shown(const std::vector<Grain>& grains);
 void draw_slip(cairo_t* cr, const Sheet& sheet, const Layout& layout);
 void draw_supports(cairo_t* cr, const Sheet& sheet, const Layout& layout);
 void draw_loads(cairo_t* cr, const Sheet& sheet, const Layout& layout);

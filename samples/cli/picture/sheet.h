@@ -40,6 +40,12 @@ struct Cell {
   double x = 0, y = 0, strain = 0;
 };
 
+/// One particle where it is now: a disc of its own volume.
+struct Grain {
+  double x = 0, y = 0, radius = 0, strain = 0;
+  int material = 0;
+};
+
 struct Sheet {
   std::string title, subtitle, result, footer;
   std::string remark;  ///< stands beside the result in a warning colour, "" = none
@@ -51,7 +57,8 @@ struct Sheet {
   double kh = 0, kv = 0;
   std::vector<Cell> cells;
   double spacing_x = 1, spacing_y = 1;
-  Polyline slip;  ///< empty = none found
+  std::vector<Grain> grains;  ///< not empty: soil in motion, drawn instead of cells and layers
+  Polyline slip;              ///< empty = none found
 };
 
 enum class Format { kSvg, kPng, kPdf };

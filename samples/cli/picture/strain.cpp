@@ -73,16 +73,24 @@ Surface image_of(const Grid& grid, double largest, int zoom) {
 
 }  // namespace
 
-double largest_shown(const std::vector<Cell>& cells) {
+namespace {
+
+template <class Items>
+double largest_of(const Items& items) {
   std::vector<double> yielding;
-  for (const Cell& cell : cells)
-    if (cell.strain > 0) yielding.push_back(cell.strain);
+  for (const auto& item : items)
+    if (item.strain > 0) yielding.push_back(item.strain);
   if (yielding.empty()) return 0;
   const auto place = yielding.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(yielding.size() - 1));
   std::nth_element(yielding.begin(), place, yielding.end());
   const double step = round_step(*place / 5);
   return std::ceil(*place / step - 0.1) * step;
 }
+
+}  // namespace
+
+double largest_shown(const std::vector<Cell>& cells) { return largest_of(cells); }
+double largest_shown(const std::vector<Grain>& grains) { return largest_of(grains); }
 
 void draw_strain(cairo_t* cr, const Sheet& sheet, const Layout& layout, double largest) {
   if (!(largest > 0)) return;

@@ -352,6 +352,30 @@ class ErrorAgainstTime(ProgramTest):
         self.assertIsNone(r["factor_of_safety"])
 
 
+class Run(ProgramTest):
+    def test_a_failed_slope_leaves_series_frames_and_ground(self):
+        folder = self.folder / "out"
+        done = self.run_program("run", self.scene_file(), "--factor", 2, "--time", 1, "--frames", 2, "--output", folder,
+                                "--json", "--quiet")
+        result = json.loads(done.stdout)
+        self.assertGreater(result["crest_settlement"], 0.05)
+        self.assertLess(result["energy_residual"], 0.01)
+        rows = (folder / "series.csv").read_text(encoding="utf-8").splitlines()
+        self.assertTrue(rows[0].startswith("time_s,kinetic_energy"))
+        self.assertEqual(len(rows) - 1, len(result["series"]))
+        frames = [entry.get("file") for entry in xml.etree.ElementTree.parse(folder / "run.pvd").iter("DataSet")]
+        self.assertEqual(len(frames), 3)
+        for name in frames:
+            points = xml.etree.ElementTree.parse(folder / name).find(".//Points/DataArray").text.split()
+            self.assertEqual(len(points), 3 * result["particles"])
+            self.assertTrue((folder / name).with_suffix(".png").read_bytes().startswith(b"\x89PNG"))
+        self.assertGreater(len(result["ground_surface"]), 10)
+
+    def test_a_standing_slope_does_not_move(self):
+        done = self.run_program("run", self.scene_file(), "--time", 2, "--json", "--quiet")
+        self.assertEqual(json.loads(done.stdout)["moved_area"], 0)
+
+
 class Pictures(ProgramTest):
     def test_each_kind_is_a_whole_file_of_that_kind(self):
         files = {kind: self.folder / ("slope." + kind) for kind in ("svg", "png", "pdf")}

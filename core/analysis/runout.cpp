@@ -1,0 +1,131 @@
+// From the state handed over to rest: gravity without strengths where there is no stress yet, then true dynamics.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/runout_shape.h"
+#include "analysis/slice_job.h"
+#include "scene/wording.h"
+
+namespace vbgpd {
+
+namespace {
+
+constexpr Real kEquilibrium = 1e-5;  // unbalanced force ratio of the gravity state
+constexpr Real kRest = 1e-6;         // kinetic energy over its peak
+constexpr Real kStanding = 1e-9;     // kinetic energy over weight x height: never set out
+constexpr std::int64_t kSlice = 20;  // steps between two looks
+
+class RunoutJob final : public SliceJob {
+ public:
+  using SliceJob::SliceJob;
+
+ private:
+  Slices analysis() override {
+    result_.scheme = "VB-GPD: hourglass virtual bonds, updated-Lagrangian";
+    result_.flow_rule = "non-associated, dilatancy angle 0";
+    progress_.strength_reduction_factor = simulation_.get("strength_reduction_factor");
+    // the time a body falls through the section's height
+    const Real height = simulation_.get("area") / width(), gravity = simulation_.scene().gravity;
+    const Real fall = std::sqrt(std::max(height, simulation_.get("height")) / gravity);
+    if (without_stress())
+      for (Slices s = apply_gravity(20 * fall); s.next();) co_yield Pause{};
+    if (outcome_ == Status::kDiverged) co_return;
+    for (Slices s = run_out(fall); s.next();) co_yield Pause{};
+  }
+
+  Real width() const {
+    Real low = std::numeric_limits<Real>::infinity(), high = -low;
+    for (const Point& p : simulation_.scene().exterior) low = std::min(low, p.x), high = std::max(high, p.x);
+    return high - low;
+  }
+
+  bool without_stress() const {
+    std::vector<double> stress;
+    simulation_.read(find_field("stress"), stress);
+    return std::all_of(stress.begin(), stress.end(), [](double s) { return s == 0; });
+  }
+
+  Slices apply_gravity(Real longest) {
+    progress_.phase = Phase::kGravity;
+    RelaxOptions elastic;
+    elastic.elastic = true;
+    const Real time_step = simulation_.get("time_step");
+    for (std::int64_t n = 0; static_cast<Real>(n) * time_step < longest; n += kSlice) {
+      const RelaxReport r = simulation_.relax(kSlice, elastic);
+      progress_.steps += r.steps, progress_.unbalanced_force_ratio = r.unbalanced_force_ratio;
+      if (r.diverged) {
+        diverge();
+        co_return;
+      }
+      if (r.unbalanced_force_ratio < kEquilibrium) break;
+      co_yield Pause{};
+    }
+    simulation_.halt();
+  }
+
+  Slices run_out(Real fall) {
+    progress_.phase = Phase::kRunout;
+    const Real end = option("end_time"), longest = 200 * fall;
+    const Real scale = simulation_.get("total_mass") * simulation_.scene().gravity * simulation_.get("height");
+    for (;;) {
+      const Real time = simulation_.get("time"), kinetic = simulation_.get("kinetic_energy");
+      const Real peak = simulation_.get("peak_kinetic_energy");
+      const bool rests = kinetic < kRest * peak && peak > 1e3 * kStanding * scale;
+      const bool stands = time > 2 * fall && peak < 1e3 * kStanding * scale && kinetic < kStanding * scale;
+      progress_.unbalanced_force_ratio = simulation_.get("unbalanced_force_ratio");
+      progress_.fraction = end > 0 ? std::min(1.0, time / end) : 0;
+      if (rests || stands) {
+        result_.status = "AT_REST";
+        result_.reason =
+            rests ? "the kinetic energy fell below 1e-6 of its peak" : "the slope stands: it never set out";
+        break;
+      }
+      if (end > 0 && time >= end) {
+        result_.status = "TIME_REACHED", result_.reason = "still moving at the end time";
+        break;
+      }
+      if (end == 0 && time > longest) {
+        result_.status = "NOT_CONVERGED", outcome_ = Status::kNotConverged;
+        result_.reason = "still moving after " + number_text(time, 4) + " s";
+        break;
+      }
+      const Real left = end > 0 ? std::ceil((end - time) / simulation_.get("time_step")) : kSlice;
+      const StepReport r = simulation_.step(std::min<std::int64_t>(kSlice, static_cast<std::int64_t>(left)), nullptr);
+      progress_.steps += r.steps;
+      if (r.status == Status::kDiverged) {
+        diverge();
+        co_return;
+      }
+      co_yield Pause{};
+    }
+    conclude();
+  }
+
+  void diverge() {
+    outcome_ = Status::kDiverged, result_.status = "DIVERGED";
+    result_.reason = "a particle crossed a spacing in one step; the model is back at its last good step";
+  }
+
+  void conclude() {
+    const RunoutShape shape = runout_shape(simulation_);
+    result_.crest_settlement = shape.crest_settlement, result_.toe_displacement = shape.toe_displacement;
+    result_.runout_distance = shape.runout_distance, result_.moved_area = shape.moved_area;
+    result_.plastic_fraction = shape.plastic_fraction;
+    result_.energy_residual = simulation_.get("energy_residual");
+    result_.max_displacement = progress_.max_displacement = simulation_.get("max_displacement");
+    result_.displacement_level = simulation_.get("displacement_level");
+    result_.unbalanced_force_ratio = progress_.unbalanced_force_ratio;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Job> make_runout_job(Simulation& simulation) {
+  if (!simulation.runs_out())
+    throw Error(Status::kState,
+                "a run-out needs a run-out model: make one from this model with vbgpd_model_create_runout");
+  return std::make_unique<RunoutJob>(simulation);
+}
+
+}  // namespace vbgpd

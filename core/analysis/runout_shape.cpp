@@ -1,0 +1,132 @@
+#include "analysis/runout_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace vbgpd {
+
+namespace {
+
+constexpr Real kLink = 1.6;  // spacings: particles nearer than that hang together
+constexpr Real kNear = 1.5;  // spacings: what counts as at the toe, at the crest
+
+struct Soil {
+  std::vector<double> now, before, volume, plastic;  ///< of the soil particles
+  Real spacing = 0;
+  std::size_t size() const { return volume.size(); }
+  Vec2 position(std::size_t i) const { return {now[2 * i], now[2 * i + 1]}; }
+  Vec2 start(std::size_t i) const { return {before[2 * i], before[2 * i + 1]}; }
+  Vec2 way(std::size_t i) const { return position(i) - start(i); }
+};
+
+Soil soil_of(const Simulation& simulation) {
+  Soil soil;
+  const auto read = [&](const char* name, std::vector<double>& values) { simulation.read(find_field(name), values); };
+  std::vector<double> boundary;
+  read("position", soil.now), read("reference_position", soil.before), read("volume", soil.volume);
+  read("plastic_strain", soil.plastic), read("boundary", boundary);
+  const auto n = static_cast<std::size_t>(std::count(boundary.begin(), boundary.end(), -1));  // soil comes first
+  soil.now.resize(2 * n), soil.before.resize(2 * n), soil.volume.resize(n), soil.plastic.resize(n);
+  soil.spacing = std::sqrt(simulation.section().lattice.spacing.prod());
+  return soil;
+}
+
+/// For every particle whether it belongs to the largest mass that hangs together.
+std::vector<bool> largest_mass(const Soil& soil) {
+  const Real reach = kLink * soil.spacing;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> cells;
+  const auto cell = [&](std::size_t i) {
+    const Vec2 c = soil.position(i) / reach;
+    return std::pair(static_cast<std::int64_t>(std::floor(c.x())), static_cast<std::int64_t>(std::floor(c.y())));
+  };
+  for (std::size_t i = 0; i < soil.size(); ++i) cells[cell(i)].push_back(i);
+  std::vector<std::size_t> mass_of(soil.size(), 0), count{0}, open;
+  for (std::size_t seed = 0; seed < soil.size(); ++seed) {
+    if (mass_of[seed] != 0) continue;
+    const std::size_t mass = count.size();
+    count.push_back(0);
+    mass_of[seed] = mass, open.push_back(seed);
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      ++count[mass];
+      const auto [cx, cy] = cell(i);
+      for (std::int64_t dx = -1; dx <= 1; ++dx)
+        for (std::int64_t dy = -1; dy <= 1; ++dy) {
+          const auto found = cells.find({cx + dx, cy + dy});
+          if (found == cells.end()) continue;
+          for (const std::size_t j : found->second)
+            if (mass_of[j] == 0 && (soil.position(j) - soil.position(i)).norm() < reach)
+              mass_of[j] = mass, open.push_back(j);
+        }
+    }
+  }
+  const auto largest = static_cast<std::size_t>(std::max_element(count.begin(), count.end()) - count.begin());
+  std::vector<bool> inside(soil.size());
+  for (std::size_t i = 0; i < soil.size(); ++i) inside[i] = mass_of[i] == largest;
+  return inside;
+}
+
+/// Where the slope meets the lower ground: the lowest vertex of the ground, and of those the one next to the slope.
+Vec2 toe_of(const std::vector<Point>& ground) {
+  Vec2 toe(ground.front().x, ground.front().y);
+  const auto crest = *std::max_element(ground.begin(), ground.end(), [](Point a, Point b) { return a.y < b.y; });
+  for (const Point& p : ground) {
+    const bool lower = p.y < toe.y(), same = p.y == toe.y();
+    if (lower || (same && std::fabs(p.x - crest.x) < std::fabs(toe.x() - crest.x))) toe = Vec2(p.x, p.y);
+  }
+  return toe;
+}
+
+}  // namespace
+
+RunoutShape runout_shape(const Simulation& simulation) {
+  const Soil soil = soil_of(simulation);
+  const Vec2 toe = toe_of(simulation.section().ground);
+  Real top = -std::numeric_limits<Real>::infinity();
+  for (const Point& p : simulation.section().ground) top = std::max(top, p.y);
+  const std::vector<bool> inside = largest_mass(soil);
+  RunoutShape shape;
+  Real total = 0, drift = 0;
+  for (std::size_t i = 0; i < soil.size(); ++i) {
+    total += soil.volume[i];
+    if (soil.plastic[i] > 0) shape.plastic_fraction += soil.volume[i];
+    if (top - soil.start(i).y() < kNear * soil.spacing)
+      shape.crest_settlement = std::max(shape.crest_settlement, -soil.way(i).y());
+    if ((soil.start(i) - toe).norm() < kNear * soil.spacing)
+      shape.toe_displacement = std::max(shape.toe_displacement, soil.way(i).norm());
+    if (soil.way(i).norm() < soil.spacing) continue;
+    shape.moved_area += soil.volume[i], drift += soil.volume[i] * soil.way(i).x();
+  }
+  if (total > 0) shape.plastic_fraction /= total;
+  for (std::size_t i = 0; i < soil.size(); ++i)
+    if (inside[i] && soil.way(i).norm() >= soil.spacing) {
+      const Real beyond = (soil.position(i).x() - toe.x()) * (drift >= 0 ? 1 : -1) + soil.spacing / 2;
+      shape.runout_distance = std::max(shape.runout_distance, beyond);
+    }
+  return shape;
+}
+
+std::vector<Point> ground_surface(const Simulation& simulation) {
+  const Soil soil = soil_of(simulation);
+  const std::vector<bool> inside = largest_mass(soil);
+  std::map<std::int64_t, Real> columns;
+  const Real origin = simulation.section().lattice.origin.x();
+  for (std::size_t i = 0; i < soil.size(); ++i) {
+    if (!inside[i]) continue;
+    const Vec2 p = soil.position(i);
+    const auto column = static_cast<std::int64_t>(std::floor((p.x() - origin) / soil.spacing));
+    const Real y = p.y() + soil.spacing / 2;
+    const auto [at, fresh] = columns.try_emplace(column, y);
+    if (!fresh) at->second = std::max(at->second, y);
+  }
+  std::vector<Point> line;
+  for (const auto& [column, y] : columns)
+    line.push_back({origin + (static_cast<Real>(column) + 0.5) * soil.spacing, y});
+  return line;
+}
+
+}  // namespace vbgpd

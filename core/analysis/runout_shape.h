@@ -1,0 +1,23 @@
+// What a run-out has done so far, read off the fields: how far the front came, how much moved, where the ground is now.
+#pragma once
+
+#include <vector>
+
+#include "simulation/simulation.h"
+
+namespace vbgpd {
+
+struct RunoutShape {
+  Real crest_settlement =
+      0;  ///< largest sinking of the soil that lay within a spacing and a half of the highest ground, m
+  Real toe_displacement = 0;  ///< largest way of the soil within one and a half spacings of the toe, m
+  Real runout_distance = 0;   ///< front of the connected mass that moved by more than a spacing, beyond the toe, m
+  Real moved_area = 0;        ///< soil that moved by more than a spacing, m2
+  Real plastic_fraction = 0;  ///< share of the soil that has yielded
+};
+RunoutShape runout_shape(const Simulation& simulation);
+
+/// The present ground surface from left to right, m: upper edge of the largest connected mass in columns of a spacing.
+std::vector<Point> ground_surface(const Simulation& simulation);
+
+}  // namespace vbgpd

@@ -1,0 +1,144 @@
+#include "simulation/build_flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/outline.h"
+
+namespace vbgpd {
+
+namespace {
+
+[[noreturn]] void unsupported(ObjectKind object, std::int64_t id, const std::string& text) {
+  Issue issue;
+  issue.status = Status::kUnsupported, issue.object = object, issue.object_id = id, issue.text = text;
+  throw Error(issue);
+}
+
+void add_materials(const SceneDef& scene, FlowModel& m) {
+  m.materials = static_cast<int>(scene.materials.size());
+  for (const MaterialDef& d : scene.materials) {
+    const AnyLaw law = *law_by_name(d.law);
+    Strength s;
+    s.cohesion = std::isnan(d.cohesion) ? 0 : d.cohesion;
+    s.friction_angle = radians(d.friction_angle);
+    if (yields(law)) s.tension_cutoff = std::isnan(d.tension_cutoff) ? 0 : d.tension_cutoff;
+    m.law.push_back(law);
+    m.strength.push_back(s);
+    m.moduli.push_back(derive(Elastic{}, d.young_modulus, d.poisson_ratio, {}));
+    m.stiffness = std::max(m.stiffness, d.young_modulus);
+  }
+}
+
+/// One wall for each straight run of held edges; where nothing adjoins, the wall goes on beyond the section.
+std::vector<FlowWall> walls_of(const Section& section, const SceneDef& scene) {
+  const Vertices exterior = local(counter_clockwise(scene.exterior), section.lattice.origin);
+  std::vector<HeldEdge> edges = held_edges(section.boundaries, exterior, section.lattice.origin);
+  const Real same = 1e-9 * box_of(exterior).extent();
+  const auto straight = [&](const HeldEdge& e, const HeldEdge& f) {
+    return e.hold == f.hold && (e.b - f.a).norm() <= same && e.normal.dot(f.normal) > 1 - 1e-12;
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = 0; j < edges.size();) {
+      if (i == j || !straight(edges[i], edges[j])) {
+        ++j;
+        continue;
+      }
+      edges[i].b = edges[j].b;
+      edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(j));
+      if (j < i) --i;
+      j = 0;
+    }
+  std::vector<FlowWall> walls;
+  for (const HeldEdge& e : edges) {
+    if (e.hold == Hold::kVelocity)
+      unsupported(ObjectKind::kBoundary, e.boundary,
+                  "a boundary that moves with a prescribed velocity cannot be carried over into a run-out; make it "
+                  "fixed or a roller");
+    const auto starts_here = [&](const HeldEdge& f) { return (f.a - e.b).norm() <= same; };
+    const auto ends_here = [&](const HeldEdge& f) { return (f.b - e.a).norm() <= same; };
+    FlowWall w;
+    w.x = e.a.x(), w.y = e.a.y(), w.nx = -e.normal.x(), w.ny = -e.normal.y();
+    w.low = std::any_of(edges.begin(), edges.end(), ends_here) ? 0 : -kInfinity;
+    w.high = std::any_of(edges.begin(), edges.end(), starts_here) ? (e.b - e.a).norm() : kInfinity;
+    w.rough = e.hold == Hold::kFixed ? 1 : 0;
+    walls.push_back(w);
+  }
+  return walls;
+}
+
+void add_particles(const LatticeSimulation& from, FlowModel& m) {
+  const Section& section = from.section();
+  const Model& lattice = from.model();
+  m.particles =
+      std::count_if(section.seeds.begin(), section.seeds.end(), [](const Seed& s) { return s.hold == Hold::kFree; });
+  const auto n = static_cast<std::size_t>(m.particles);
+  for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.reference_x, &m.reference_y, &m.size})
+    a->allocate(n, 0);
+  m.extra_cohesion.allocate(lattice.extra_cohesion.present() ? n : 0, 0);
+  m.material.resize(n);
+  for (std::size_t k = 0; k < section.seeds.size(); ++k) {
+    const Seed& seed = section.seeds[k];
+    if (seed.hold != Hold::kFree) continue;
+    const auto id = static_cast<std::size_t>(lattice.id_of[k]), i = static_cast<std::size_t>(lattice.storage_of[k]);
+    m.volume[id] = seed.volume, m.mass[id] = lattice.mass[i], m.size[id] = std::sqrt(seed.volume);
+    m.force_x[id] = lattice.force_x[i], m.force_y[id] = lattice.force_y[i];
+    m.reference_x[id] = seed.centroid.x() - m.origin.x(), m.reference_y[id] = seed.centroid.y() - m.origin.y();
+    m.material[id] = seed.material;
+    if (m.extra_cohesion.present()) m.extra_cohesion[id] = lattice.extra_cohesion[i];
+    m.force_scale += std::fabs(lattice.force_x[i]) + std::fabs(lattice.force_y[i]);
+  }
+}
+
+}  // namespace
+
+FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& options) {
+  const SceneDef& scene = from.scene();
+  if (scene.kernel != "wendland_c2")
+    unsupported(ObjectKind::kProfile, -1,
+                "kernel '" + scene.kernel + "': a run-out knows wendland_c2 only; set the profile's kernel to it");
+  FlowModel m;
+  m.options = options;
+  m.origin = from.section().lattice.origin;
+  const Vec2 spacing = from.section().lattice.spacing;
+  m.spacing = std::sqrt(spacing.prod());
+  m.support = 2 * scene.smoothing_ratio * m.spacing;
+  m.height = from.section().height, m.gravity = scene.gravity;
+  m.stress_scale = from.model().stress_scale;
+  add_materials(scene, m);
+  m.walls = walls_of(from.section(), scene);
+  add_particles(from, m);
+  m.viscosity = options.viscosity * std::sqrt(m.gravity * m.height) * options.viscosity_length * m.height;
+  Real fastest = 0;
+  for (std::size_t id = 0; id < m.material.size(); ++id) {
+    const LawConstants& c = m.moduli[static_cast<std::size_t>(m.material[id])];
+    const Real wave = c.bulk_modulus + 4 * c.shear_modulus / 3;
+    fastest = std::max(fastest, std::sqrt(wave * m.volume[id] / m.mass[id]));
+  }
+  m.time_step = options.time_step * spacing.minCoeff() / fastest;
+  return m;
+}
+
+FlowState handed_over(const LatticeSimulation& from, const FlowModel& m) {
+  FlowState s;
+  s.allocate(m);
+  const auto read = [&](const char* name) {
+    std::vector<double> values;
+    from.read(find_field(name), values);
+    return values;
+  };
+  const std::vector<double> displacement = read("displacement"), stress = read("stress"),
+                            plastic = read("plastic_strain");
+  for (std::size_t id = 0; id < static_cast<std::size_t>(m.particles); ++id) {
+    s.particle[id] = static_cast<double>(id);
+    s.motion[4 * id] = m.reference_x[id] + displacement[2 * id];
+    s.motion[4 * id + 1] = m.reference_y[id] + displacement[2 * id + 1];
+    const double mean = (stress[4 * id] + stress[4 * id + 1] + stress[4 * id + 2]) / 3;
+    s.stress[4 * id] = stress[4 * id] - mean, s.stress[4 * id + 1] = stress[4 * id + 1] - mean;
+    s.stress[4 * id + 2] = stress[4 * id + 3], s.stress[4 * id + 3] = mean;
+    s.plastic_strain[id] = plastic[id];
+  }
+  return s;
+}
+
+}  // namespace vbgpd

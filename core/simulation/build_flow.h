@@ -1,0 +1,17 @@
+// Hand-over: the soil of a lattice model becomes a flow model.
+#pragma once
+
+#include "simulation/lattice_simulation.h"
+#include "state/flow_model.h"
+
+namespace vbgpd {
+
+/// Particles at the centroids of their cells, displaced as they are now; strengths, weights and loads as they were.
+/// Dilatancy is left out: constant dilatancy would swell a flowing soil without end. A soil whose tension cut-off is
+/// not given carries no tension. Throws Error(kUnsupported) for moving walls and for kernels other than Wendland C2.
+FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& options);
+
+/// Positions, stresses and plastic strain at the hand-over; velocities are zero.
+FlowState handed_over(const LatticeSimulation& from, const FlowModel& model);
+
+}  // namespace vbgpd

@@ -1,0 +1,258 @@
+#include "simulation/flow_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/build_flow.h"
+#include "state/flow_neighbours.h"
+
+namespace vbgpd {
+
+struct FlowSimulation::Saved final : SavedState {
+  FlowState state;
+  FlowSums last;
+  Ledger ledger;
+  Real factor = 1, time = 0, peak_kinetic = 0;
+  std::int64_t steps = 0;
+};
+
+namespace {
+
+constexpr Real kBlank = 1e100;  // where the particle is that fills up packs: out of everyone's reach
+constexpr int kChunk = 128;     // particles a thread takes at a time
+
+}  // namespace
+
+FlowSimulation::FlowSimulation(const LatticeSimulation& from, const FlowOptions& options, const FlowKernels& kernels)
+    : scene_(from.scene()),
+      options_(from.options()),
+      section_(from.section()),
+      kernels_(kernels),
+      model_(build_flow_model(from, options)),
+      state_(handed_over(from, model_)),
+      workers_(from.options().threads) {
+  partial_.resize(static_cast<std::size_t>((model_.particles + kChunk - 1) / kChunk));
+  for (std::size_t k = 0; k < model_.law.size(); ++k) {
+    const bool soil = yields(model_.law[k]);
+    yields_ |= soil;
+    bond_modulus_.push_back((soil ? options.bond_stiffness : options.elastic_bond_stiffness) *
+                            model_.moduli[k].shear_modulus);
+    FlowLaw elastic;
+    elastic.constants = model_.moduli[k];
+    elastic_laws_.push_back(elastic);
+  }
+  set_factor(from.get("strength_reduction_factor"));
+  state_was_changed();
+  fit_guard();
+}
+
+/// Particles of cut cells may start nearer to each other or to a wall than the guard allows: theirs gets smaller, so
+/// that nothing is pushed apart before anything moved.
+void FlowSimulation::fit_guard() {
+  const Real b = model_.options.guard_distance;
+  if (!(b > 0)) return;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.particles); ++i) {
+    const double* const x = state_.motion.data() + 4 * i;
+    Real& size = model_.size[static_cast<std::size_t>(state_.particle[i])];
+    for (auto k = 4 * static_cast<std::size_t>(lists_.rows[i].begin);
+         k < 4 * static_cast<std::size_t>(lists_.rows[i].ghosts); ++k) {
+      if (lists_.neighbours[k] >= model_.particles) continue;
+      const double* const y = state_.motion.data() + 4 * static_cast<std::size_t>(lists_.neighbours[k]);
+      size = std::min(size, std::hypot(y[0] - x[0], y[1] - x[1]) / b);
+    }
+    for (const FlowWall& w : model_.walls)
+      size = std::min(size, 2 / b * std::max<Real>(0, (x[0] - w.x) * w.nx + (x[1] - w.y) * w.ny));
+  }
+  list_neighbours(model_, state_, lists_);
+}
+
+void FlowSimulation::state_was_changed() {
+  search_neighbours(model_, state_, lists_);
+  ++searches_;
+  arrange_scratch();
+  last_.displacement2 = 0;
+}
+
+void FlowSimulation::set_factor(Real factor) {
+  factor_ = factor;
+  laws_.clear();
+  for (std::size_t k = 0; k < model_.law.size(); ++k) {
+    FlowLaw law;
+    const Strength strength = reduced(model_.strength[k], factor);
+    std::visit([&](auto l) { decltype(l)::derive(strength, law.constants); }, model_.law[k]);
+    law.constants.shear_modulus = model_.moduli[k].shear_modulus;
+    law.constants.bulk_modulus = model_.moduli[k].bulk_modulus;
+    law.algorithm = static_cast<int>(algorithm_of(model_.law[k]));
+    law.friction = std::tan(strength.friction_angle), law.adhesion = strength.cohesion;
+    if (!yields(model_.law[k])) law.adhesion = kInfinity;  // what never yields does not slide on a rough wall either
+    laws_.push_back(law);
+    elastic_laws_[k].adhesion = kInfinity;
+  }
+}
+
+/// Sizes the scratch for the present number of mirror images and writes what stays the same until the next search.
+void FlowSimulation::arrange_scratch() {
+  const auto n = static_cast<std::size_t>(model_.particles), all = n + lists_.ghosts.size() + 1;
+  int stagger = 3;
+  for (Array* a : {&scratch_.motion, &scratch_.next_motion, &scratch_.gradient, &scratch_.bond, &scratch_.inverse,
+                   &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y})
+    if (a->size() != 4 * all) a->allocate(4 * all, stagger++);
+  if (scratch_.next_stress.size() != 4 * (n + 1)) scratch_.next_stress.allocate(4 * (n + 1), stagger++);
+  if (scratch_.pair_force.size() != 2 * n) scratch_.pair_force.allocate(2 * n, stagger++);
+  scratch_.weight.allocate(4 * (lists_.ghosts.size() + 1), stagger++);
+  for (Array* a : {&scratch_.gradient, &scratch_.bond, &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y})
+    for (std::size_t k = 0; k < 4; ++k) (*a)[4 * n + k] = 0;
+  for (std::size_t k = 0; k < 4; ++k) scratch_.motion[4 * n + k] = k < 2 ? kBlank : 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    scratch_.bond[4 * i + 2] = bond_modulus_[static_cast<std::size_t>(lists_.soil[i])];
+    scratch_.bond[4 * i + 3] = lists_.volume[i];
+  }
+}
+
+FlowData FlowSimulation::data() const {
+  FlowData d{};
+  auto& s = const_cast<FlowState&>(state_);
+  d.particles = static_cast<int>(model_.particles), d.ghost_count = static_cast<int>(lists_.ghosts.size());
+  d.wall_count = static_cast<int>(model_.walls.size()), d.chunk = kChunk;
+  d.rows = lists_.rows.data(), d.neighbours = lists_.neighbours.data(), d.ghosts = lists_.ghosts.data();
+  d.walls = model_.walls.data(), d.soil = lists_.soil.data();
+  d.constants = lists_.constants.data(), d.volume = lists_.volume.data(), d.force = lists_.force.data();
+  d.extra_cohesion = lists_.extra_cohesion.data(), d.listed = state_.listed.data();
+  d.stress = s.stress.data(), d.gap = s.gap.data(), d.plastic_strain = s.plastic_strain.data();
+  d.wall_shear = s.wall_shear.data(), d.traction = s.traction.data();
+  d.motion = scratch_.motion.data(), d.next_motion = scratch_.next_motion.data();
+  d.next_stress = scratch_.next_stress.data(), d.gradient = scratch_.gradient.data();
+  d.bond = scratch_.bond.data(), d.inverse = scratch_.inverse.data(), d.flux = scratch_.flux.data();
+  d.slope_x = scratch_.slope_x.data(), d.slope_y = scratch_.slope_y.data();
+  d.pair_force = scratch_.pair_force.data(), d.weight = scratch_.weight.data();
+  return d;
+}
+
+FlowControls FlowSimulation::controls() const {
+  const FlowOptions& o = model_.options;
+  const Real h = model_.support / 2;
+  FlowControls c;
+  c.time_step = model_.time_step;
+  c.local_damping = damping_;
+  c.inverse_support = 1 / model_.support;
+  c.weight_scale = 35 / (4 * kPi * h * h * h * h);
+  c.softening = 0.01 * h * h;
+  c.viscosity = model_.viscosity;
+  c.guard_distance = o.guard_distance;
+  c.guard_stiffness = o.guard_stiffness;
+  c.diffusion = 2 * o.stress_diffusion * h;
+  c.smallest_eigenvalue = o.smallest_eigenvalue;
+  c.dashpot = 0.2 * model_.spacing;
+  c.cohesion_scale = 1 / factor_;
+  c.laws = laws_.data();
+  return c;
+}
+
+void FlowSimulation::refresh_neighbours() {
+  const Real room = model_.options.skin * model_.spacing / 2;
+  if (last_.displacement2 > room * room) state_was_changed();
+}
+
+void FlowSimulation::run_step(const FlowControls& c, FlowSums& sums) {
+  refresh_neighbours();
+  const auto bytes = 4 * static_cast<std::size_t>(model_.particles);
+  std::copy_n(state_.motion.data(), bytes, scratch_.motion.data());
+  const bool diffuse = yields_ && c.diffusion > 0 && c.laws == laws_.data();
+  (diffuse ? kernels_.diffusing : kernels_.plain)(data(), c, workers_, partial_.data(), sums);
+  std::copy_n(scratch_.next_motion.data(), bytes, state_.motion.data());
+  if (diffuse) std::swap(state_.stress, scratch_.next_stress);
+  last_ = sums;
+}
+
+void FlowSimulation::open_ledger() {
+  if (ledger_.open) return;
+  ledger_.open = true;
+  ledger_.kinetic_before = kinetic_energy();
+  ledger_.guard_before = last_.guard;
+  ledger_.stored_before = stored_energy();
+}
+
+StepReport FlowSimulation::step(std::int64_t steps, const std::atomic<bool>* cancel) {
+  StepReport report;
+  const Workers::Session session(workers_);
+  const FlowControls c = controls();
+  open_ledger();
+  // A particle that crosses a spacing in a step has left the method; the state of at most kKeep steps before is good.
+  constexpr std::int64_t kKeep = 256;
+  const Real runaway = model_.spacing / c.time_step;
+  std::shared_ptr<SavedState> kept = save();
+  std::int64_t kept_at = 0;
+  for (std::int64_t n = 0; n < steps; ++n) {
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) {
+      report.status = Status::kCancelled;
+      return report;
+    }
+    if (n - kept_at >= kKeep) kept = save(), kept_at = n;
+    FlowSums sums;
+    run_step(c, sums);
+    if (!(sums.velocity2 < runaway * runaway)) {
+      restore(*kept);
+      report.steps = kept_at;
+      report.status = Status::kDiverged;
+      return report;
+    }
+    ledger_.external += sums.external, ledger_.internal += sums.internal, ledger_.bond += sums.bond;
+    ledger_.viscous += sums.viscous, ledger_.damping += sums.damping, ledger_.contact += sums.contact - sums.wall;
+    peak_kinetic_ = std::max(peak_kinetic_, sums.kinetic);
+    ++steps_, ++report.steps;
+    time_ += c.time_step;
+  }
+  return report;
+}
+
+RelaxReport FlowSimulation::relax(std::int64_t steps, const RelaxOptions& options) {
+  const Workers::Session session(workers_);
+  FlowControls c = controls();
+  c.local_damping = options.local_damping > 0 ? options.local_damping : 0.7;
+  c.time_step *= options.time_step_factor;
+  if (options.elastic) c.laws = elastic_laws_.data();
+  RelaxReport r;
+  FlowSums sums;
+  const Real runaway = model_.spacing / c.time_step;
+  for (std::int64_t n = 0; n < steps && !r.diverged; ++n) {
+    run_step(c, sums);
+    ++r.steps;
+    r.external_work += sums.external, r.internal_work -= sums.internal + sums.bond;
+    r.diverged = !(sums.velocity2 < runaway * runaway);
+  }
+  r.since_restart = r.steps;
+  r.unbalanced_force_ratio = model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;
+  r.velocity = std::sqrt(sums.velocity2);
+  r.max_displacement = monitors().max_displacement;
+  return r;
+}
+
+void FlowSimulation::halt() {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.particles); ++i)
+    state_.motion[4 * i + 2] = state_.motion[4 * i + 3] = 0;
+}
+
+std::shared_ptr<SavedState> FlowSimulation::save() const {
+  auto saved = std::make_shared<Saved>();
+  saved->state = state_, saved->last = last_, saved->ledger = ledger_;
+  saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->peak_kinetic = peak_kinetic_;
+  return saved;
+}
+
+void FlowSimulation::restore(const SavedState& other) {
+  const auto& saved = dynamic_cast<const Saved&>(other);
+  state_ = saved.state, last_ = saved.last, ledger_ = saved.ledger;
+  set_factor(saved.factor);
+  time_ = saved.time, steps_ = saved.steps, peak_kinetic_ = saved.peak_kinetic;
+  list_neighbours(model_, state_, lists_);
+  arrange_scratch();
+}
+
+std::unique_ptr<Simulation> make_runout(const Simulation& from, const FlowOptions& options) {
+  const auto* const lattice = dynamic_cast<const LatticeSimulation*>(&from);
+  if (lattice == nullptr)
+    throw Error(Status::kState, "this model is a run-out already; make a run-out from the model it came from");
+  return std::make_unique<FlowSimulation>(*lattice, options);
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,16 @@
+// Neighbour search of the run-out side: particles sorted by cell, listed with a skin, their images behind the walls,
+// and the tractions of the bonds that live on.
+#pragma once
+
+#include "state/flow_model.h"
+
+namespace vbgpd {
+
+/// Sorts the state by cells of the present positions, lists neighbours and images, hands tractions over. `lists` is the
+/// present one and becomes the new one.
+void search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists);
+
+/// The same lists again from a saved state (nothing is sorted, tractions stay).
+void list_neighbours(const FlowModel& m, const FlowState& s, FlowLists& lists);
+
+}  // namespace vbgpd

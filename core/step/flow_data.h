@@ -1,0 +1,72 @@
+// The arrays of one run-out step as plain pointers: what the instruction-set specific files see.
+#pragma once
+
+#include <cstdint>
+
+#include "material/constants.h"
+#include "state/flow_records.h"
+
+namespace vbgpd {
+
+/// A soil as the step sees it.
+struct FlowLaw {
+  LawConstants constants;
+  int algorithm = 0;                  ///< 0 cone, 1 hexagon
+  double friction = 0, adhesion = 0;  ///< of its contact with a rough wall: tan phi, Pa
+};
+
+/// What drives a run-out step: it changes between steps, never inside one.
+struct FlowControls {
+  double time_step = 0;
+  double local_damping = 0;    ///< alpha of f_d = -alpha |f| sgn v, for the gravity state only
+  double inverse_support = 0;  ///< 1/(2h)
+  double weight_scale = 0;     ///< 35 / (4 pi h^4)
+  double softening = 0;        ///< 0.01 h^2
+  double viscosity = 0;        ///< alpha c h, m2/s
+  double guard_distance = 0;   ///< b, in sides of particles
+  double guard_stiffness = 0;  ///< kappa
+  double diffusion = 0;        ///< 2 zeta h, m
+  double smallest_eigenvalue = 0;
+  double dashpot = 0;         ///< 0.2 dx: of the contact with a wall, times rho c
+  double cohesion_scale = 1;  ///< 1/F, for cohesion that grows with depth; 0 while strengths are left out
+  const FlowLaw* laws = nullptr;
+};
+
+/// Sums of one step, combined in chunk order. Works in J per metre run.
+struct FlowSums {
+  double unbalanced = 0, kinetic = 0, velocity2 = 0, displacement2 = 0;
+  double external = 0;              ///< done by weight, seismic force and loads
+  double internal = 0;              ///< taken up by the stress of the particles
+  double bond = 0;                  ///< taken up by bond tractions
+  double viscous = 0, damping = 0;  ///< dissipated
+  double contact = 0;               ///< taken up by the contact with walls, friction included
+  double wall = 0;                  ///< done by the weight term of the mirrored stress
+  double guard = 0;                 ///< stored in the short-range guard, present value
+  double yielding = 0;              ///< volume that yields now, m2
+
+  void add(const FlowSums& s) {
+    unbalanced += s.unbalanced, kinetic += s.kinetic, external += s.external, internal += s.internal, bond += s.bond;
+    viscous += s.viscous, damping += s.damping, contact += s.contact, wall += s.wall, guard += s.guard;
+    yielding += s.yielding;
+    velocity2 = s.velocity2 > velocity2 ? s.velocity2 : velocity2;
+    displacement2 = s.displacement2 > displacement2 ? s.displacement2 : displacement2;
+  }
+};
+
+struct FlowData {
+  int particles, ghost_count, wall_count, chunk;  ///< chunk: particles a thread takes at a time
+  // lists
+  const FlowRow* rows;
+  const std::int32_t* neighbours;
+  const FlowGhost* ghosts;
+  const FlowWall* walls;
+  const std::int32_t* soil;
+  const double *constants, *volume, *force, *extra_cohesion, *listed;
+  // state
+  double *stress, *gap, *plastic_strain, *wall_shear, *traction;
+  // scratch; motion is the state's, with ghosts
+  double *motion, *next_motion, *next_stress, *gradient, *bond, *inverse, *flux, *slope_x, *slope_y, *pair_force,
+      *weight;
+};
+
+}  // namespace vbgpd

@@ -1,0 +1,29 @@
+#include "step/flow_kernels.h"
+
+namespace vbgpd {
+
+extern const FlowStepFunction kFlowTable_portable[2];
+#if defined(VBGPD_X86)
+extern const FlowStepFunction kFlowTable_x86_64_v2[2], kFlowTable_x86_64_v3[2];
+#endif
+
+std::span<const FlowKernels> all_flow_kernels() {
+  static const FlowKernels list[] = {
+#if defined(VBGPD_X86)
+    {"x86-64-v3", __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"),
+     kFlowTable_x86_64_v3[0], kFlowTable_x86_64_v3[1]},
+    {"x86-64-v2", static_cast<bool>(__builtin_cpu_supports("sse4.2")), kFlowTable_x86_64_v2[0],
+     kFlowTable_x86_64_v2[1]},
+#endif
+    {"portable", true, kFlowTable_portable[0], kFlowTable_portable[1]}
+  };
+  return list;
+}
+
+const FlowKernels& best_flow_kernels() {
+  for (const FlowKernels& k : all_flow_kernels())
+    if (k.supported) return k;
+  return all_flow_kernels().back();
+}
+
+}  // namespace vbgpd

@@ -1,0 +1,29 @@
+#include "run_picture.h"
+
+#include <cmath>
+
+#include "format.h"
+#include "picture_file.h"
+
+namespace cli {
+
+picture::Sheet run_sheet(const Scene& scene, const vbgpd_model* model, const RunResult& result) {
+  constexpr double kPi = 3.14159265358979323846;
+  picture::Sheet sheet = section_sheet(scene);
+  const Sample last = result.series.empty() ? Sample{} : result.series.back();
+  sheet.result = format("t = %s s   run-out %s m", plain_number(last.time, 3).c_str(),
+                        plain_number(last.runout_distance, 3).c_str());
+  sheet.loads.clear();  // they moved with the ground; arrows would stand where it was
+  const std::vector<double> place = field(model, "position"), strain = field(model, "plastic_strain");
+  const std::vector<double> volume = field(model, "volume"), material = field(model, "material");
+  for (std::size_t i = 0; i < volume.size(); ++i)
+    sheet.grains.push_back(
+        {place[2 * i], place[2 * i + 1], std::sqrt(volume[i] / kPi) * 1.12, strain[i], static_cast<int>(material[i])});
+  sheet.footer = "Method: " + result.scheme + "; flow rule " + result.flow_rule + "; strength reduction factor " +
+                 plain_number(result.factor, 4) + "; viscosity " + plain_number(result.viscosity, 3) +
+                 " m2/s. Spacing " + plain_number(result.spacing, 3) + " m, " + counted(result.particles, "particle") +
+                 ". The line is the section before. vbgpd " + vbgpd_version_string();
+  return sheet;
+}
+
+}  // namespace cli

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""Collapsing columns and slopes that run out, each to rest: how far, how clean, how well the books balance.
+
+Usage: study.py LIBVBGPD.so [CASE ...]. Prints one row of a Markdown table per case; README.md beside it keeps the rows
+of a dated run. Columns: `front` is the foremost particle of the connected mass plus half a spacing, `q995` the 99.5 %
+quantile of x, `lost` the particles that do not hang together with the rest, `noise` the RMS of the vertical stress
+against a linear fit over the neighbours, relative to gamma H, `residual` what the energy ledger does not explain.
+"""
+import collections
+import math
+import pathlib
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "bindings" / "python"))
+import numpy  # noqa: E402
+import vbgpd  # noqa: E402
+
+GRAVITY = 9.81
+Case = collections.namedtuple("Case", "name width height spacing phi cohesion density modulus seconds rough_left law")
+BARS = dict(phi=19.8, cohesion=0.0, density=2650, rough_left=False, law="drucker_prager")
+
+
+def bars(name, rows, modulus=0.84e6):
+    return Case(name, 0.2, 0.1, 0.1 / rows, modulus=modulus, seconds=2, **BARS)
+
+
+def column(aspect):
+    """0.1 m wide, 800 particles; (L - L0)/L0 = 1.2 a, above a = 1.8 1.9 a^(2/3) (Lube et al. 2005)."""
+    height = 0.1 * aspect
+    return Case(f"column a = {aspect:g}", 0.1, height, math.sqrt(0.1 * height / 800), 30.0, 0.0, 2650,
+                330 * 2650 * GRAVITY * height, 4, False, "drucker_prager")
+
+
+CASES = [bars("bars H/10", 10), bars("bars H/20", 20), bars("bars H/40", 40), bars("bars H/20, E x 7", 20, 5.88e6),
+         column(0.5), column(1), column(2), column(4),
+         Case("vertical cut 10 m, c 5 kPa, phi 25", 10, 10, 0.5, 25.0, 5e3, 1998, 1e7, 20, False, "mohr_coulomb")]
+
+
+def model_of(context, case):
+    with vbgpd.Profile(context) as profile:
+        w, h = case.width, case.height
+        profile.set_exterior([(0, 0), (w, 0), (w, h), (0, h)])
+        soil = profile.add_material("soil", law=case.law, unit_weight=case.density * GRAVITY,
+                                    young_modulus=case.modulus, poisson_ratio=0.3, cohesion=case.cohesion,
+                                    friction_angle=case.phi)
+        profile.add_layer(soil)
+        profile.add_boundary(vbgpd.Boundary.FIXED, side="base")
+        profile.add_boundary(vbgpd.Boundary.ROLLER, side="left")
+        profile.set("spacing", case.spacing)
+        with vbgpd.Model(context, profile) as at_rest:
+            return vbgpd.Model.runout_of(at_rest)
+
+
+def neighbours(x, reach):
+    cells = collections.defaultdict(list)
+    keys = [tuple(k) for k in numpy.floor(x / reach).astype(int)]
+    for i, key in enumerate(keys):
+        cells[key].append(i)
+    for i, (a, b) in enumerate(keys):
+        near = [j for da in (-1, 0, 1) for db in (-1, 0, 1) for j in cells.get((a + da, b + db), ()) if j != i]
+        near = numpy.array(near, dtype=int)
+        distance = numpy.hypot(*(x[near] - x[i]).T) if len(near) else numpy.array([])
+        yield near[distance < reach], distance[distance < reach]
+
+
+def largest_mass(x, link):
+    near = [found for found, _ in neighbours(x, link)]
+    label = numpy.full(len(x), -1)
+    for seed in range(len(x)):
+        if label[seed] >= 0:
+            continue
+        label[seed], open_ends = seed, [seed]
+        while open_ends:
+            for j in near[open_ends.pop()]:
+                if label[j] < 0:
+                    label[j] = seed
+                    open_ends.append(j)
+    return label == numpy.bincount(label).argmax()
+
+
+def noise_of(x, stress, reach, scale):
+    errors = []
+    for i, (near, _) in enumerate(neighbours(x, reach)):
+        if len(near) < 8:
+            continue
+        fit = numpy.column_stack([numpy.ones(len(near)), x[near] - x[i]])
+        errors.append(stress[i] - numpy.linalg.lstsq(fit, stress[near], rcond=None)[0][0])
+    return math.sqrt(numpy.mean(numpy.square(errors))) / scale
+
+
+def run(case, library):
+    with vbgpd.Context(library=library) as context, model_of(context, case) as model:
+        started = time.process_time()
+        with vbgpd.Job.runout(model, end_time=float(case.seconds)) as job:
+            job.run()
+            status = job.get_text("status")
+        seconds = time.process_time() - started
+        x, stress = model.field("position"), model.field("stress")
+        dx = math.sqrt(model.get("spacing_x") * model.get("spacing_y"))
+        mass = largest_mass(x, 1.6 * dx)
+        ground = model.ground_surface()
+        least = min(distance.min() for _, distance in neighbours(x, 1.6 * dx) if len(distance))
+        external = model.get("external_work")
+        cells = [case.name, f"{len(x)}", f"{x[mass, 0].max() + dx / 2:.4g}", f"{numpy.quantile(x[:, 0], 0.995):.4g}",
+                 f"{ground[0, 1]:.4g}", f"{ground[:, 1].sum() * dx / (case.width * case.height):.3f}",
+                 f"{(~mass).sum()}", f"{least / dx:.2f}",
+                 f"{noise_of(x, stress[:, 1], 2.6 * dx, case.density * GRAVITY * case.height):.4f}",
+                 f"{model.get('kinetic_energy') / model.get('peak_kinetic_energy'):.0e}",
+                 f"{100 * model.get('energy_residual'):.2f} %",
+                 f"{100 * model.get('viscous_dissipation') / external:.0f} %", f"{model.get('viscosity'):.3g}",
+                 f"{model.get('time'):.3g} s, {status.lower().replace('_', ' ')}", f"{model.get('steps'):.0f}",
+                 f"{seconds:.0f}"]
+        print("| " + " | ".join(cells) + " |", flush=True)
+
+
+def main(library, *chosen):
+    print("| case | particles | front | q995 | height at the wall | area | lost | least distance / dx | noise | "
+          "KE end / peak | residual | viscous share | alpha c h, m2/s | end | steps | CPU s |")
+    print("|" + "---|" * 16)
+    for case in CASES:
+        if not chosen or any(word in case.name for word in chosen):
+            run(case, library)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
