@@ -1,4 +1,5 @@
 // Run-out models: made from another model, and the ground as it is now.
+#include "convert.h"
 #include "guard.h"
 #include "simulation/flow_simulation.h"
 
