@@ -59,7 +59,7 @@ contains
   ! The model must be a run-out model (create_runout of vbgpd_model).
   subroutine create_runout(self, model, stat, errmsg)
     class(vbgpd_job), intent(inout) :: self
-    class(vbgpd_model), intent(in) :: model
+    class(vbgpd_base_model), intent(in) :: model
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
     type(c_ptr) :: fresh

@@ -36,7 +36,9 @@ TEST(RunoutStatics, CornersOfTheBlockSeeAFullWorldBehindTheWalls) {
   load_by_gravity(*s, 1e-7);
   const std::vector<double> stress = field(*s, "stress"), x = field(*s, "position");
   for (std::size_t i = 0; i < x.size() / 2; ++i)
-    if (x[2 * i + 1] < 0.8) EXPECT_NEAR(stress[4 * i], 0.3 / 0.7 * stress[4 * i + 1], 0.02 * 20e3) << x[2 * i];
+    if (x[2 * i + 1] < 0.8) {
+      EXPECT_NEAR(stress[4 * i], 0.3 / 0.7 * stress[4 * i + 1], 0.02 * 20e3) << x[2 * i];
+    }
 }
 
 }  // namespace
