@@ -54,7 +54,8 @@ FosResult read_result(const vbgpd_job* job, const vbgpd_model* model, vbgpd_stat
 std::string factor_of_safety_label(const FosResult& r) {
   if (std::isfinite(r.factor_of_safety)) {
     const std::string value = format("FS = %.3f", r.factor_of_safety);
-    return std::isfinite(r.error_estimate) ? value + format(" ± %.3f", r.error_estimate) : value;
+    // one grid says nothing about its own error: half its bracket is no error bar
+    return std::isfinite(r.error_estimate) && r.levels.size() > 1 ? value + format(" ± %.3f", r.error_estimate) : value;
   }
   if (r.status == "CANCELLED") return "FS not found";  // a bracket so far may be that of a coarse grid
   const bool above = std::isfinite(r.srf_stable), below = std::isfinite(r.srf_unstable);

@@ -18,7 +18,8 @@ std::string origin_text(const FosResult& r) {
                                    [](const vbgpd_level& level) { return std::isfinite(level.factor_of_safety); });
   if (grids > 1 && (r.status == "OK" || r.status == "TARGET_NOT_MET"))
     return format("   extrapolated from %d grids", static_cast<int>(grids));
-  return "   middle of the bracket of the finest grid";
+  return grids > 1 ? "   middle of the bracket of the finest grid"
+                   : "   middle of the bracket of one grid, whose error is unknown";
 }
 
 std::string level_text(std::size_t i, const vbgpd_level& level) {
@@ -27,8 +28,9 @@ std::string level_text(std::size_t i, const vbgpd_level& level) {
     bracket = format("bracket [%.4f, %.4f]", level.srf_stable, level.srf_unstable);
   const std::string middle =
       std::isfinite(level.factor_of_safety) ? format("FS %.4f", level.factor_of_safety) : "FS not found";
-  const std::string estimate =
-      std::isfinite(level.error_estimate) ? format(", so far %.4f ± %.4f", level.estimate, level.error_estimate) : "";
+  const std::string estimate = i > 0 && std::isfinite(level.error_estimate)
+                                   ? format(", so far %.4f ± %.4f", level.estimate, level.error_estimate)
+                                   : "";
   return format("  grid %zu         spacing %s m, %s, %s: %s, %s, %s, %s%s\n", i + 1,
                 plain_number(level.spacing_x, 4).c_str(), counted(level.particles, "particle").c_str(),
                 counted(level.bonds, "bond").c_str(), middle.c_str(), bracket.c_str(),

@@ -50,7 +50,7 @@ void draw_color_bar(cairo_t* cr, const Layout& layout, double largest) {
     write(cr, {box.x0, box.y0 + 10}, "no particle yields", kLegendStyle);
     return;
   }
-  write(cr, {box.x0, box.y0 + 9}, "plastic shear strain at failure (%)", kLegendStyle);
+  write(cr, {box.x0, box.y0 + 9}, "plastic shear strain (%)", kLegendStyle);
   const double left = box.x0, right = box.x1 - 14, top = box.y0 + 15, height = 10;
   constexpr int kBands = 105;
   for (int i = 0; i < kBands; ++i) {
