@@ -2,6 +2,7 @@
 #include <array>
 #include <limits>
 
+#include "scene/wording.h"
 #include "simulation/simulation.h"
 
 namespace vbgpd {
@@ -89,5 +90,19 @@ int find_field(std::string_view name) {
 }
 
 std::span<const NamedValue> named_values() { return kValues; }
+
+void require_settable(std::string_view name, double value) {
+  for (const NamedValue& v : kValues) {
+    if (name != v.name) continue;
+    if (!v.settable) throw Error(Status::kState, std::string(name) + " can be read, not set");
+    if (value >= v.min_value && (v.max_open ? value < v.max_value : value <= v.max_value)) return;
+    Issue issue;
+    issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = value;
+    issue.text = std::string(name) + " = " + number_text(value) + ": must be in [" + number_text(v.min_value) + ", " +
+                 number_text(v.max_value) + (v.max_open ? ")" : "]");
+    throw Error(issue);
+  }
+  throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
+}
 
 }  // namespace vbgpd

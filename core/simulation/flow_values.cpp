@@ -57,21 +57,12 @@ Monitors FlowSimulation::monitors() const {
 }
 
 void FlowSimulation::set(std::string_view name, double value) {
-  for (const NamedValue& v : named_values()) {
-    if (name != v.name) continue;
-    if (!v.settable) throw Error(Status::kState, std::string(name) + " can be read, not set");
-    if (!(value >= v.min_value && (v.max_open ? value < v.max_value : value <= v.max_value))) {
-      Issue issue;
-      issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = value;
-      issue.text = std::string(name) + " = " + number_text(value) + ": must be in [" + number_text(v.min_value) + ", " +
-                   number_text(v.max_value) + (v.max_open ? ")" : "]");
-      throw Error(issue);
-    }
-    if (name == "damping") damping_ = value;
-    if (name == "strength_reduction_factor") set_factor(value);
-    return;
-  }
-  throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
+  require_settable(name, value);
+  if (name == "damping") damping_ = value;
+  else if (name == "strength_reduction_factor") set_factor(value);
+  else
+    throw Error(Status::kUnsupported,
+                std::string(name) + " cannot be set on a run-out model: set it on the model it is made from");
 }
 
 double FlowSimulation::get(std::string_view name) const {
@@ -111,6 +102,8 @@ double FlowSimulation::get(std::string_view name) const {
   if (name == "viscosity") return model_.viscosity;
   if (name == "yielding_area") return last_.yielding;
   if (name == "neighbour_searches") return static_cast<double>(searches_);
+  for (const NamedValue& v : named_values())
+    if (name == v.name) throw Error(Status::kUnsupported, std::string(name) + " has no value on a run-out model");
   throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
 }
 

@@ -278,27 +278,15 @@ Real LatticeSimulation::elastic_energy() const {
 }
 
 void LatticeSimulation::set(std::string_view name, double value) {
-  for (const NamedValue& v : named_values()) {
-    if (name != v.name) continue;
-    if (!v.settable) throw Error(Status::kState, std::string(name) + " can be read, not set");
-    if (!(value >= v.min_value && (v.max_open ? value < v.max_value : value <= v.max_value))) {
-      Issue issue;
-      issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = value;
-      issue.text = std::string(name) + " = " + number_text(value) + ": must be in [" + number_text(v.min_value) + ", " +
-                   number_text(v.max_value) + (v.max_open ? ")" : "]");
-      throw Error(issue);
-    }
-    if (name == "damping") damping_ = value;
-    if (name == "time_step_factor") time_step_factor_ = value;
-    if (name == "strength_reduction_factor") set_factor(value);
-    if (name == "kh" || name == "kv") {
-      Drive changed = drive_;
-      (name == "kh" ? changed.kh : changed.kv) = value;
-      set_drive(changed);
-    }
-    return;
+  require_settable(name, value);
+  if (name == "damping") damping_ = value;
+  if (name == "time_step_factor") time_step_factor_ = value;
+  if (name == "strength_reduction_factor") set_factor(value);
+  if (name == "kh" || name == "kv") {
+    Drive changed = drive_;
+    (name == "kh" ? changed.kh : changed.kv) = value;
+    set_drive(changed);
   }
-  throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
 }
 
 double LatticeSimulation::get(std::string_view name) const {

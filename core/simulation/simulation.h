@@ -43,6 +43,8 @@ struct NamedValue {
   bool settable;
 };
 std::span<const NamedValue> named_values();
+/// Throws unless `name` is a named number that may be set to `value`: Error(kUnknownName), (kState), (kRange).
+void require_settable(std::string_view name, double value);
 
 /// A dynamic step as a share of the stable one: what the power iteration may still miss of the highest frequency, and
 /// what plastic flow or growing velocities may add to it, comes off.

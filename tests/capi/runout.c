@@ -4,11 +4,16 @@
 static void refusals(vbgpd_model* at_rest, vbgpd_model* moving) {
   vbgpd_job* job = NULL;
   vbgpd_model* model = NULL;
+  double value = 0;
   CHECK_STATUS(VBGPD_E_STATE, vbgpd_job_create_runout(at_rest, &job));
   CHECK_STATUS(VBGPD_E_STATE, vbgpd_job_create_strength_reduction(moving, &job));
   CHECK_STATUS(VBGPD_E_STATE, vbgpd_job_create_equilibrium(moving, &job));
   CHECK_STATUS(VBGPD_E_STATE, vbgpd_model_create_runout(moving, &model));
   CHECK(job == NULL && model == NULL);
+  /* numbers of the model at rest that a run-out has no use for are refused, not swallowed */
+  CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_set_f64(moving, "kh", VBGPD_STRLEN, 0.1));
+  CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_get_f64(moving, "kh", VBGPD_STRLEN, &value));
+  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_model_set_f64(moving, "damping", VBGPD_STRLEN, 2));
 }
 
 static void ground_of(const vbgpd_model* model, double* lowest, double* highest) {
