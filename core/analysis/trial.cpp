@@ -21,18 +21,20 @@ double Stopwatch::wall() const { return wall_now() - wall_; }
 double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 
 /// The first two signals of a failure: unbalanced force on a plateau, displacement growing and not slowing down, over
-/// one response time without a restart of the momentum (a restart means that the forces turned against the motion). A
+/// one response time without a restart of the momentum (a restart means that the forces turned against the motion), or
+/// over three in a flow so jerky that it never goes so long without one. A
 /// flow that would balance at the very factor tried is creep on the way to rest, not failure.
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
-  const auto span = static_cast<std::size_t>(std::max<std::int64_t>(4, response_ / kWindow));
-  if (history.size() <= span || last.since_restart < response_) return false;
+  const int times = last.since_restart < response_ ? 3 : 1;
+  const auto span = static_cast<std::size_t>(times * std::max<std::int64_t>(4, response_ / kWindow));
+  if (history.size() <= span) return false;
   const Window &now = history.back(), &half = history[history.size() - 1 - span / 2],
                &then = history[history.size() - 1 - span];
   trial.unbalanced_force_slope = then.ratio > 0 && now.ratio > 0 ? std::log(now.ratio / then.ratio) : 0;
   trial.displacement_growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
   const bool plateau =
       trial.unbalanced_force_slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
-  const bool grows = trial.displacement_growth > rules_.growth &&
+  const bool grows = trial.displacement_growth > times * rules_.growth &&
                      now.displacement - half.displacement >= half.displacement - then.displacement;
   return plateau && grows && last.power_ratio < 1 - rules_.drive;
 }
