@@ -22,8 +22,8 @@ double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 
 /// The first two signals of a failure: unbalanced force on a plateau, displacement growing and not slowing down, over
 /// one response time without a restart of the momentum (a restart means that the forces turned against the motion), or
-/// over three in a flow so jerky that it never goes so long without one. A
-/// flow that would balance at the very factor tried is creep on the way to rest, not failure.
+/// over three in a flow so jerky that it never goes so long without one. A flow that would balance at the very factor
+/// tried is creep on the way to rest, not failure.
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
   const int times = last.since_restart < response_ ? 3 : 1;
   const auto span = static_cast<std::size_t>(times * std::max<std::int64_t>(4, response_ / kWindow));

@@ -96,7 +96,7 @@ std::vector<LatticeOffset> spread(std::vector<LatticeOffset> rest, int width) {
   return order;
 }
 
-/// Offsets within the support 2h, forward ones (higher storage index) first, nearest first; then their opposites.
+/// Offsets within the support 2h, forward ones (higher storage index) first, spread; then their opposites.
 std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& lattice, const AnyKernel& kernel, Real h,
                                         Model& m) {
   const Real minor_spacing = columns.along_x() ? lattice.spacing.x() : lattice.spacing.y();
