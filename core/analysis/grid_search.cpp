@@ -13,6 +13,8 @@ constexpr std::int64_t kWindow = 10;
 constexpr double kNotch =
     0.25;  // trial factors are multiples of this share of the tolerance: the same for every unit and side
 
+constexpr int kBriefly = 4;  // response times a trial may take where another factor beside it would do
+
 }  // namespace
 
 void GridSearch::set_factor(double factor) {
@@ -25,9 +27,14 @@ double GridSearch::notched(double factor) const {
   return notch * std::floor(factor / notch + 1e-9);
 }
 
-/// Where the bracket is halved: beside its middle after an undecided trial there.
+/// Where the bracket is cut: in its middle, or beside that after an undecided trial there. Where one more verdict
+/// closes it either way, as low as that allows: the lower, the sooner it stands.
 double GridSearch::middle() const {
-  return (stable_ + failed_) / 2 + (verdict_ == Verdict::kUndecided ? (failed_ - stable_) / 4 : 0);
+  const double width = failed_ - stable_, notch = kNotch * options_.tolerance;
+  double cut = (stable_ + failed_) / 2;
+  if (verdict_ == Verdict::kUndecided) cut += width / 4;
+  else if (width <= 2 * options_.tolerance) cut = failed_ - options_.tolerance;
+  return notched(cut + 0.5 * notch);
 }
 
 void GridSearch::end_below() {
@@ -76,7 +83,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
   trial.level = level_, trial.strength_reduction_factor = factor;
   progress_.trial = static_cast<int>(trials_.size()) - 1;
   TrialRules rules;
-  rules.step_limit = options_.step_limit;
+  rules.step_limit = options_.step_limit, rules.patience = patience_;
   rules.drive = 0.5 * kNotch * options_.tolerance / factor;
   TrialRun run(simulation_, rules, response_, elastic_displacement_);
   for (Slices s = run.run(trial, progress_); s.next();) {
@@ -95,7 +102,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
     standing_ = simulation_.save();
   }
   if (trial.verdict == Verdict::kFailed) {
-    failed_ = std::isnan(failed_) ? factor : std::min(failed_, factor);
+    if (!(failed_ <= factor)) failed_ = factor, failing_ = simulation_.save();
     displacement_level_ = trial.displacement_level;
     constexpr double kGathers = 0.5;
     softened_ = trial.unbalanced_force_slope > kGathers;
@@ -110,6 +117,7 @@ void GridSearch::set_aside(const Trial& trial) {
   reason_ = "at F = " + number_text(trial.strength_reduction_factor) +
             " neither equilibrium nor steady failure showed within " + std::to_string(trial.steps) +
             " steps (unbalanced force ratio " + number_text(trial.unbalanced_force_ratio) + ")";
+  patience_ = std::min(2 * patience_, TrialRules{}.patience);
   if (++undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
 }
 
@@ -125,14 +133,16 @@ Slices GridSearch::follow() {
   constexpr double kLevel = 12;     // displacement level at which the flow is read
   constexpr double kFlowing = 0.5;  // and that at which it is a flow
   constexpr double kFlat = 3e-4;    // F_e repeats when two rounds of following differ by less than this
-  constexpr double kSteady = 1e-3;  // and is read once two looks at the overshot flow differ by less than this
+  constexpr double kSteady = 1e-3;  // and is read once it changes by less than this over a look
   constexpr double kBrisk = 1.04;   // share of F_e at which the flow is driven, at least: less takes ages
   constexpr double kStands = 5e-4;  // unbalanced force ratio, halved since the last look, of a slope about to stand
   constexpr double kFall = 0.01;    // and past its peak when it falls by more than this
   const std::int64_t look = std::max<std::int64_t>(2 * kWindow, response_ / 2);
+  const auto windows = static_cast<std::size_t>(look / kWindow);
   const std::int64_t most = 60 * response_;
   // 1. overshoot: raise F until the slope flows, then wait until F_e is flat and the flow developed
-  double best = 0, previous = 0, unbalanced = 1;
+  double best = 0, unbalanced = 1;
+  std::vector<double> estimates;  // F_e after every window
   std::shared_ptr<SavedState> best_state;
   int falls = 0;
   std::int64_t steps = 0, looked = 0;
@@ -143,6 +153,7 @@ Slices GridSearch::follow() {
     set_factor(factor);
     simulation_.halt();
     steps = looked = 0, best = 0, falls = 0, unbalanced = 1;
+    estimates.clear();
   };
   for (;;) {
     const RelaxReport r = simulation_.relax(kWindow, options);
@@ -157,18 +168,21 @@ Slices GridSearch::follow() {
       raise(steps < 2 * response_ ? 1.2 : 1.06);
       continue;
     }
+    const double estimate = factor * r.power_ratio;
+    estimates.push_back(estimate);
+    const bool steady = estimates.size() > windows &&
+                        std::fabs(estimate - estimates[estimates.size() - 1 - windows]) < kSteady * estimate;
+    if (level > kLevel && estimate < factor && steady) {
+      flow_ = estimate;
+      break;
+    }
     if (looked >= look) {
-      const double estimate = factor * r.power_ratio;
       if (r.unbalanced_force_ratio < kStands && r.unbalanced_force_ratio < 0.5 * unbalanced &&
           estimate > (1 - kFall) * factor && factor < options_.srf_max) {
         raise(1.2);
         continue;
       }
       unbalanced = r.unbalanced_force_ratio;
-      if (estimate < factor && level > kLevel && std::fabs(estimate - previous) < kSteady * estimate) {
-        flow_ = estimate;
-        break;
-      }
       if (estimate > best) best = estimate, best_state = simulation_.save(), falls = 0;
       else if (estimate < (1 - kFall) * best) ++falls;
       // F_e past its peak: a skin has run away or the section has softened; the flow at the peak is the one to follow.
@@ -183,7 +197,7 @@ Slices GridSearch::follow() {
         factor = std::min(options_.srf_max, kBrisk * estimate);
         set_factor(factor);
       }
-      previous = estimate, looked = 0;
+      looked = 0;
     }
     co_yield Pause{};
   }
@@ -215,7 +229,7 @@ Slices GridSearch::follow() {
 /// The two ends of the bracket around the flow factor: arrest below it, keep flowing above it.
 Slices GridSearch::fast_bracket() {
   const double notch = kNotch * options_.tolerance;
-  double low = std::max(options_.srf_min, notched(flow_ - notch));
+  double low = std::max(options_.srf_min, notched(flow_));
   // lower end: the same flow comes to rest; if not, step down, each time from the last state at rest
   for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
     if (!std::isnan(failed_) || undecided_ > 0) simulation_.restore(*standing_);
@@ -227,20 +241,23 @@ Slices GridSearch::fast_bracket() {
     }
     low = std::max(options_.srf_min, notched(low - step));
   }
-  // upper end: from the state at rest, a little more; if it stands, it is the new lower end
-  for (double step = options_.tolerance; !done_ && std::isnan(failed_); step *= 2) {
-    const double high = std::min(options_.srf_max, notched(stable_ + step + 0.5 * notch));
-    if (verdict_ == Verdict::kUndecided) simulation_.restore(*standing_);
+  // upper end: from the state at rest, a little more; if it stands, it is the new lower end; where it creeps, a notch
+  // more, going on from there
+  patience_ = kBriefly;
+  double step = options_.tolerance;
+  for (double high = stable_ + step; !done_ && std::isnan(failed_);) {
+    high = std::min(options_.srf_max, notched(high + 0.5 * notch));
     for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};
     if (!done_ && verdict_ == Verdict::kStable && high >= options_.srf_max) {
       end_above();
       co_return;
     }
+    high += verdict_ == Verdict::kStable ? step *= 2 : notch;
   }
   // between a standing and a failing factor further apart than asked: halve, from the last state at rest
   while (!done_ && !closed()) {
     simulation_.restore(*standing_);
-    for (Slices s = try_factor(notched(middle() + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
+    for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
   if (!done_ && softened_)
     for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
@@ -251,6 +268,7 @@ Slices GridSearch::fast_bracket() {
 Slices GridSearch::upper_end_from_gravity() {
   const double notch = kNotch * options_.tolerance;
   const double through_flow = failed_;
+  const std::shared_ptr<SavedState> flow = failing_;
   double factor = failed_;
   failed_ = kNone;
   for (double step = 2 * notch; !done_ && std::isnan(failed_); step *= 2) {
@@ -260,13 +278,13 @@ Slices GridSearch::upper_end_from_gravity() {
   }
   while (!done_ && !closed()) {
     simulation_.restore(*gravity_);
-    for (Slices s = try_factor(notched(middle() + 0.5 * notch), Phase::kFailedEnd); s.next();) co_yield Pause{};
+    for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
   // where gravity alone cannot tell, the failure shown through the flow stands
   if (done_ && end_ == SearchEnd::kNotConverged && through_flow - stable_ <= options_.tolerance * (1 + 1e-9) &&
       through_flow > stable_) {
     done_ = false;
-    failed_ = through_flow;
+    failed_ = through_flow, failing_ = flow;
   }
 }
 
@@ -312,7 +330,9 @@ Slices GridSearch::run() {
   } else {
     for (Slices s = bisection(); s.next();) co_yield Pause{};
   }
-  if (!done_) end_ = SearchEnd::kBracketed;
+  if (done_) co_return;
+  end_ = SearchEnd::kBracketed;
+  simulation_.restore(*failing_);
 }
 
 }  // namespace vbgpd

@@ -22,7 +22,8 @@ class GridSearch {
              Progress& progress)
       : simulation_(simulation), options_(options), trials_(trials), progress_(progress), level_(level_number) {}
 
-  /// Gravity, search, then trials until the bracket is as narrow as asked.
+  /// Gravity, search, then trials until the bracket is as narrow as asked. Once bracketed, the simulation is left
+  /// failing at the upper end.
   Slices run();
 
   SearchEnd end() const { return end_; }
@@ -53,12 +54,13 @@ class GridSearch {
   std::vector<Trial>& trials_;
   Progress& progress_;
   int level_;
-  std::shared_ptr<SavedState> gravity_, standing_;
+  std::shared_ptr<SavedState> gravity_, standing_, failing_;
   std::int64_t response_ = 0;
   double elastic_displacement_ = 0, stable_ = kNone, failed_ = kNone, flow_ = kNone, displacement_level_ = kNone;
   Verdict verdict_ = Verdict::kUndecided;
   SearchEnd end_ = SearchEnd::kNotConverged;
   std::string reason_;
+  int patience_ = TrialRules{}.patience;
   int undecided_ = 0;
   bool softened_ = false;  // the last failed trial gathered force on its way
   bool done_ = false;

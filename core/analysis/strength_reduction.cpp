@@ -42,7 +42,7 @@ class StrengthReductionJob final : public SliceJob {
       if (bracketed) {
         level.factor_of_safety = (search.stable() + search.failed()) / 2;
         result_.displacement_level = search.displacement_level();
-        for (Slices s = mechanism(simulation, search.response_steps()); s.next();) co_yield Pause{};
+        for (Slices s = mechanism(simulation, search.response_steps() / 2); s.next();) co_yield Pause{};
         level.sliding_area = result_.sliding_area;
       }
       level.steps = progress_.steps - steps;
@@ -225,21 +225,26 @@ class StrengthReductionJob final : public SliceJob {
                                               : "non-associated, dilatancy angle 0");
   }
 
-  /// Lets the failing slope flow for one more response time and reads the mechanism and the energy balance off it.
+  /// Lets the failing slope flow for half a response time more and reads the mechanism and the energy balance off it.
   Slices mechanism(Simulation& simulation, std::int64_t response) {
     progress_.phase = Phase::kSlipSurface;
     const Instant before = instant(simulation);
     const Real elastic_before = simulation.elastic_energy();
     RelaxOptions options;
     options.ledger = true;
+    // a step books the work around its beginning and the plastic work of the step before: half of the first and of
+    // one step beyond the last, and the plastic work from the second on, belong to this motion
     Real internal = 0, plastic = 0;
-    for (std::int64_t n = 0; n < response; n += 10) {
-      const RelaxReport r = simulation.relax(10, options);
+    const auto march = [&](std::int64_t steps, Real share) {
+      const RelaxReport r = simulation.relax(steps, options);
       progress_.steps += r.steps;
-      internal -= r.internal_work, plastic += r.plastic_work;
-      co_yield Pause{};
-    }
+      internal -= share * r.internal_work;
+      return r.plastic_work;
+    };
+    march(1, 0.5);
+    for (std::int64_t n = 0; n < response; n += 10, co_yield Pause{}) plastic += march(10, 1);
     const Real stored = simulation.elastic_energy() - elastic_before;
+    plastic += march(1, 0.5);
     const Real largest = std::max({std::fabs(internal), std::fabs(stored), std::fabs(plastic)});
     result_.energy_residual = largest > 0 ? std::fabs(internal - stored - plastic) / largest : 0;
     const SlipSurface slip = slip_surface(simulation, before, instant(simulation));

@@ -26,11 +26,19 @@ double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 /// tried is creep on the way to rest, not failure.
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
   const int times = last.since_restart < response_ ? 3 : 1;
-  const auto span = static_cast<std::size_t>(times * std::max<std::int64_t>(4, response_ / kWindow));
+  const auto span = static_cast<std::size_t>(2 * times * std::max<std::int64_t>(2, response_ / (2 * kWindow)));
   if (history.size() <= span) return false;
   const Window &now = history.back(), &half = history[history.size() - 1 - span / 2],
                &then = history[history.size() - 1 - span];
-  trial.unbalanced_force_slope = then.ratio > 0 && now.ratio > 0 ? std::log(now.ratio / then.ratio) : 0;
+  // R of the earlier and of the later half, averaged: a flow trembles
+  const auto mean = [&](std::size_t from, std::size_t to) {
+    double sum = 0;
+    for (std::size_t k = from; k < to; ++k) sum += history[k].ratio;
+    return sum / static_cast<double>(to - from);
+  };
+  const double earlier = mean(history.size() - span, history.size() - span / 2),
+               later = mean(history.size() - span / 2, history.size());
+  trial.unbalanced_force_slope = earlier > 0 && later > 0 ? 2 * std::log(later / earlier) : 0;
   trial.displacement_growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
   const bool plateau =
       trial.unbalanced_force_slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
@@ -41,7 +49,7 @@ bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& la
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {
   const Stopwatch watch;
-  const std::int64_t limit = rules_.step_limit > 0 ? rules_.step_limit : 30 * response_;
+  const std::int64_t limit = rules_.step_limit > 0 ? rules_.step_limit : rules_.patience * response_;
   const RelaxOptions options;
   const double factor = trial.strength_reduction_factor;
   std::vector<Window> history;

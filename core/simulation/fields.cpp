@@ -52,7 +52,7 @@ constexpr NamedValue kValues[] = {
     {"time", "s", "simulated time", 0, 0, kInf, false, false},
     {"steps", "1", "dynamic steps done", 0, 0, kInf, false, false},
     {"time_step", "s", "time step of dynamic stepping", kNan, 0, kInf, false, false},
-    {"stable_time_step", "s", "2 / highest frequency, measured by power iteration", kNan, 0, kInf, false, false},
+    {"stable_time_step", "s", "2 / highest frequency, measured on the bonds", kNan, 0, kInf, false, false},
     {"unbalanced_force_ratio", "1", "sum |f| / sum of weights and loads", kNan, 0, kInf, false, false},
     {"max_displacement", "m", "largest displacement", 0, 0, kInf, false, false},
     {"max_velocity", "m s-1", "largest velocity", 0, 0, kInf, false, false},

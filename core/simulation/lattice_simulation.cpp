@@ -10,9 +10,8 @@ namespace vbgpd {
 
 namespace {
 
-/// Fraction of 2 / omega_max that is used. A relaxation step right after a restart is plain descent, stable below
-/// 1/sqrt(2); what the power iteration may still miss of omega_max comes off that.
-constexpr Real kStepMargin = 0.68;
+/// Fraction of the stable time step that is used: what the measurement may still miss of omega_max comes off it.
+constexpr Real kStepMargin = 0.96;
 
 }  // namespace
 
@@ -100,55 +99,6 @@ void LatticeSimulation::set_mobility(const Array& mass, Array& mobility_x, Array
   }
 }
 
-Real LatticeSimulation::highest_frequency(const Array& mass) const {
-  Array mobility_x, mobility_y;
-  set_mobility(mass, mobility_x, mobility_y);
-  State x;
-  x.allocate(model_);
-  const auto n = static_cast<std::size_t>(model_.storage);
-  std::uint64_t seed = 88172645463325252ull;  // xorshift: the same start for every model of a size
-  const auto next = [&] {
-    seed ^= seed << 13, seed ^= seed >> 7, seed ^= seed << 17;
-    return static_cast<double>(seed >> 11) * 0x1p-53 - 0.5;
-  };
-  for (std::size_t i = 0; i < n; ++i)
-    if (model_.seed_of[i] >= 0)
-      x.displacement_x[i] = next() * model_.free_x[i], x.displacement_y[i] = next() * model_.free_y[i];
-  // one step with b = 0, dt = 1, no external force gives v = -M^-1 K u
-  Controls c;
-  c.time_step = 1, c.momentum = 0;
-  c.mobility_x = mobility_x.data(), c.mobility_y = mobility_y.data();
-  c.constants = elastic_constants_.data();
-  Sums sums;
-  Real eigenvalue = 0, earlier = 0;
-  constexpr int kMost = 300, kLook = 20;
-  constexpr Real kSettled = 2e-3;
-  for (int k = 0; k < kMost; ++k) {
-    if (k % kLook == 0) {
-      if (k > 0 && eigenvalue < (1 + kSettled) * earlier) break;
-      earlier = eigenvalue;
-    }
-    Real norm = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      norm += mass[i] * (x.displacement_x[i] * x.displacement_x[i] + x.displacement_y[i] * x.displacement_y[i]);
-    if (!(norm > 0)) break;
-    const Real scale = 1 / std::sqrt(norm);
-    for (std::size_t i = 0; i < n; ++i) x.displacement_x[i] *= scale, x.displacement_y[i] *= scale;
-    x.velocity_x.fill_zero(), x.velocity_y.fill_zero();
-    StepData d = data(x, scratch_);
-    d.force_x = d.force_y = zero_.data();
-    d.guided_count = 0;
-    (model_.features.bond != BondLaw::kNone ? kernels_.selective : kernels_.none)(d, c, workers_, partial_.data(),
-                                                                                  sums);
-    Real image = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      image += mass[i] * (x.velocity_x[i] * x.velocity_x[i] + x.velocity_y[i] * x.velocity_y[i]);
-    eigenvalue = std::max(eigenvalue, std::sqrt(image));
-    x.displacement_x = x.velocity_x, x.displacement_y = x.velocity_y;
-  }
-  return std::sqrt(eigenvalue);
-}
-
 Real LatticeSimulation::dynamic_time_step() const {
   if (dynamic_frequency_ == 0) dynamic_frequency_ = highest_frequency(model_.mass);
   return time_step_factor_ * 2 / dynamic_frequency_;
@@ -177,7 +127,7 @@ Real LatticeSimulation::half_step_work() const {
   c.ledger = true;
   Sums sums;
   run_step(probe_, scratch_, c, sums);
-  return sums.internal_work / 2;
+  return sums.internal_work / 2 + sums.plastic_work;
 }
 
 Monitors LatticeSimulation::monitors() const {
@@ -207,7 +157,6 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
     relaxing_frequency_ = highest_frequency(model_.scaled_mass);
   }
   Controls c;
-  c.time_step = options.time_step_factor * kStepMargin * 2 / relaxing_frequency_;
   c.mobility_x = relaxing_mobility_x_.data(), c.mobility_y = relaxing_mobility_y_.data();
   c.constants = options.elastic ? elastic_constants_.data() : constants_.data();
   c.dilation_cap = options.elastic ? nullptr : dilation_cap_.data();
@@ -218,9 +167,13 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
   Sums sums;
   const Real runaway = 1e4 * section_.lattice.spacing.norm() + 1e6 * displacement_scale();
   for (std::int64_t n = 0; n < steps; ++n) {
-    // Nesterov-like momentum, dropped when the forces turn against the motion
-    c.momentum =
-        options.local_damping > 0 ? 1 : static_cast<Real>(since_restart_) / static_cast<Real>(since_restart_ + 3);
+    // Nesterov-like momentum b, dropped when the forces turn against the motion. A step is stable while
+    // (omega dt)^2 < 2 (1 + b): plain descent right after a restart takes shorter ones. Local damping has its own
+    // limit.
+    const bool damped = options.local_damping > 0;
+    c.momentum = damped ? 1 : static_cast<Real>(since_restart_) / static_cast<Real>(since_restart_ + 3);
+    c.time_step =
+        options.time_step_factor * kStepMargin * std::sqrt(2 * (damped ? 1 : 1 + c.momentum)) / relaxing_frequency_;
     run_step(state_, scratch_, c, sums);
     ++since_restart_;
     if (options.local_damping == 0 && sums.power < 0) since_restart_ = 0;

@@ -78,7 +78,7 @@ class LatticeSimulation final : public Simulation {
   void write_velocity(const std::vector<double>& rows);
   StepData data(State& state, Scratch& scratch) const;
   void run_step(State& state, Scratch& scratch, const Controls& controls, Sums& sums) const;
-  /// Highest natural frequency with the given masses: power iteration on the elastic operator.
+  /// Highest natural frequency with the given masses: by Lanczos' recurrence on the elastic operator.
   Real highest_frequency(const Array& mass) const;
   void set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const;
   Real dynamic_time_step() const;

@@ -46,7 +46,7 @@ std::span<const NamedValue> named_values();
 /// Throws unless `name` is a named number that may be set to `value`: Error(kUnknownName), (kState), (kRange).
 void require_settable(std::string_view name, double value);
 
-/// A dynamic step as a share of the stable one: what the power iteration may still miss of the highest frequency, and
+/// A dynamic step as a share of the stable one: what the measurement may still miss of the highest frequency, and
 /// what plastic flow or growing velocities may add to it, comes off.
 inline constexpr Real kDefaultTimeStepFactor = 0.68;
 
