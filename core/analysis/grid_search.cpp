@@ -254,6 +254,7 @@ Slices GridSearch::fast_bracket() {
     }
     high += verdict_ == Verdict::kStable ? step *= 2 : notch;
   }
+  patience_ = TrialRules{}.patience;
   // between a standing and a failing factor further apart than asked: halve, from the last state at rest
   while (!done_ && !closed()) {
     simulation_.restore(*standing_);

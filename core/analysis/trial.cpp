@@ -21,30 +21,33 @@ double Stopwatch::wall() const { return wall_now() - wall_; }
 double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 
 /// The first two signals of a failure: unbalanced force on a plateau, displacement growing and not slowing down, over
-/// one response time without a restart of the momentum (a restart means that the forces turned against the motion), or
-/// over three in a flow so jerky that it never goes so long without one. A flow that would balance at the very factor
-/// tried is creep on the way to rest, not failure.
+/// one response time, or over three once the momentum had to restart (the forces turned against the motion: the flow is
+/// jerky). A flow that would balance at the very factor tried, or is hardening towards that, is creep on the way to
+/// rest, not failure.
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
-  const int times = last.since_restart < response_ ? 3 : 1;
+  const bool jerky = last.since_restart < std::min(3 * response_, trial.steps);
+  const int times = jerky ? 3 : 1;
   const auto span = static_cast<std::size_t>(2 * times * std::max<std::int64_t>(2, response_ / (2 * kWindow)));
   if (history.size() <= span) return false;
   const Window &now = history.back(), &half = history[history.size() - 1 - span / 2],
                &then = history[history.size() - 1 - span];
-  // R of the earlier and of the later half, averaged: a flow trembles
-  const auto mean = [&](std::size_t from, std::size_t to) {
+  // means of the earlier and of the later half: a flow trembles
+  const auto mean = [&](std::size_t from, std::size_t to, double Window::*what) {
     double sum = 0;
-    for (std::size_t k = from; k < to; ++k) sum += history[k].ratio;
-    return sum / static_cast<double>(to - from);
+    for (std::size_t k = history.size() - from; k < history.size() - to; ++k) sum += history[k].*what;
+    return sum / static_cast<double>(from - to);
   };
-  const double earlier = mean(history.size() - span, history.size() - span / 2),
-               later = mean(history.size() - span / 2, history.size());
+  const double earlier = mean(span, span / 2, &Window::ratio), later = mean(span / 2, 0, &Window::ratio);
   trial.unbalanced_force_slope = earlier > 0 && later > 0 ? 2 * std::log(later / earlier) : 0;
+  const double power = mean(span / 2, 0, &Window::power_ratio),
+               hardening = 2 * (power - mean(span, span / 2, &Window::power_ratio)) / times;
   trial.displacement_growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
   const bool plateau =
       trial.unbalanced_force_slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
   const bool grows = trial.displacement_growth > times * rules_.growth &&
                      now.displacement - half.displacement >= half.displacement - then.displacement;
-  return plateau && grows && last.power_ratio < 1 - rules_.drive;
+  const bool driven = last.power_ratio < 1 - rules_.drive && power + rules_.catching_up * hardening < 1;
+  return plateau && grows && driven;
 }
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {
@@ -60,7 +63,7 @@ Slices TrialRun::run(Trial& trial, Progress& progress) {
   for (;;) {
     const RelaxReport r = simulation_.relax(kWindow, options);
     trial.steps += r.steps, progress.steps += r.steps;
-    history.push_back({trial.steps, r.unbalanced_force_ratio, r.max_displacement});
+    history.push_back({trial.steps, r.unbalanced_force_ratio, r.max_displacement, r.power_ratio});
     trial.unbalanced_force_ratio = progress.unbalanced_force_ratio = r.unbalanced_force_ratio;
     progress.max_displacement = r.max_displacement;
     trial.displacement_level = r.max_displacement / simulation_.displacement_scale();

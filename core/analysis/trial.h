@@ -9,13 +9,14 @@ namespace vbgpd {
 
 /// Thresholds of a verdict. Ratios of forces, steps and displacements only: nothing has a dimension.
 struct TrialRules {
-  double equilibrium = 1e-5;     ///< stable: unbalanced force ratio below this ...
-  int equilibrium_windows = 5;   ///< ... in so many windows of ten steps on end
-  double plateau_slope = -0.25;  ///< failed: ln R fell by less than this over a response time ...
-  double plateau_level = 3;      ///< ... and R stays above so many times `equilibrium`
+  double equilibrium = 1e-5;    ///< stable: unbalanced force ratio below this ...
+  int equilibrium_windows = 5;  ///< ... in so many windows of ten steps on end
+  double plateau_slope = -0.1;  ///< failed: ln R fell by less than this over a response time ...
+  double plateau_level = 3;     ///< ... and R stays above so many times `equilibrium`
   double growth =
       0.02;  ///< failed: u_max grew by this share of its elastic value over a response time, not slower than before
   double drive = 0;             ///< failed: F_e = F (internal power / external power) lies below F by this share of it
+  double catching_up = 8;       ///< ... and would not have risen to it in so many response times at its present rate
   int patience = 30;            ///< undecided after so many response times, or ...
   std::int64_t step_limit = 0;  ///< ... after so many steps, if any
 };
@@ -33,7 +34,7 @@ class TrialRun {
  private:
   struct Window {
     std::int64_t steps;
-    double ratio, displacement;
+    double ratio, displacement, power_ratio;
   };
   bool failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const;
   Simulation& simulation_;

@@ -235,7 +235,8 @@ int algorithm_of_pack(const Model& m, const BondPack& p) { return static_cast<in
 /// Chunks of whole blocks, each longer than the reach of a bond, so that packs of chunk c write to chunks c and c + 1
 /// only.
 void build_chunks(Model& m) {
-  constexpr std::int32_t kLeast = 1024;  // particles: enough work for one turn of a thread
+  constexpr std::int32_t kLeast =
+      512;  // particles: enough for one turn of a thread, few enough for a wave of six chunks to stay in cache
   std::vector<BondPack> packs;
   const Occupancy who{m, {}};
   std::int32_t reach = kLeast;

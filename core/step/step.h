@@ -6,6 +6,7 @@
 #include "step/forces.h"
 #include "step/gradient.h"
 #include "step/particles.h"
+#include "step/schedule.h"
 #include "step/walls.h"
 
 namespace vbgpd {
@@ -26,31 +27,33 @@ struct NoBonds {
   }
 };
 
-/// The whole step. Chunks run in any order on any thread and are summed in their own order: same bits for any thread
-/// count.
+/// The whole step. Chunks are summed in their own order: same bits for any thread count.
 template <class Bonds, bool kLedger>
 void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial, Sums& sums) {
   const int chunks = d.chunk_count;
 
   // particle displacement gradients                                                        VB1, VB2
-  workers.run(0, 1, chunks, [&](int k) { weigh_pass(d, d.chunks[k]); });
-  workers.run(0, 1, chunks, [&](int k) { gradient_pass(d, c, d.chunks[k]); });
+  const auto weigh = [&](int k) { weigh_pass(d, d.chunks[k]); };
+  const auto gradient = [&](int k) { gradient_pass(d, c, d.chunks[k]); };
 
-  // bonds; they write to their own chunk and the next one, so even and odd chunks take turns    VB3, VB4, VB5
-  for (int parity = 0; parity < 2; ++parity)
-    workers.run(parity, 2, chunks, [&](int k) {
-      partial[k].plastic_work = 0;
-      if (d.uses_algorithm[0]) partial[k].plastic_work += Bonds::template pass<Cone, kLedger>(d, c, d.chunks[k]);
-      if (d.uses_algorithm[1]) partial[k].plastic_work += Bonds::template pass<Hexagon, kLedger>(d, c, d.chunks[k]);
-    });
+  // bonds: strains, trial stress, yielding, sums over bonds                                VB3, VB4, VB5
+  const auto bonds = [&](int k) {
+    partial[k].plastic_work = 0;
+    if (d.uses_algorithm[0]) partial[k].plastic_work += Bonds::template pass<Cone, kLedger>(d, c, d.chunks[k]);
+    if (d.uses_algorithm[1]) partial[k].plastic_work += Bonds::template pass<Hexagon, kLedger>(d, c, d.chunks[k]);
+  };
 
   // forces from virtual power, gravity, loads, damping; integrate; monitors                VB5, method 4.10, 4.11
-  workers.run(0, 1, chunks, [&](int k) { flux_pass(d, d.chunks[k]); });
-  workers.run(0, 1, chunks, [&](int k) {
+  const auto flux = [&](int k) { flux_pass(d, d.chunks[k]); };
+  const auto move = [&](int k) {
     const double plastic_work = partial[k].plastic_work;
     partial[k] = move_pass<kLedger>(d, c, d.chunks[k]);
     partial[k].plastic_work = plastic_work;
-  });
+  };
+
+  const Passes passes{weigh, gradient, bonds, flux, move};
+  if (workers.threads() > 1) in_sweeps(workers, chunks, passes);
+  else in_a_wave(chunks, passes);
 
   // walls that slide or are moved
   guide_walls(d, c);
