@@ -51,8 +51,11 @@ void build_materials(const SceneDef& scene, Real h, Real stress, Model& m) {
       Strength s = joined_strength(strength_of(a, h), strength_of(b, h), stress);
       if (!yields(la)) s = strength_of(b, h);  // against a rock that never yields the soil's own strength decides
       if (!yields(lb)) s = strength_of(a, h);
-      const LawConstants ca = derive(Elastic{}, a.young_modulus, a.poisson_ratio, {});
-      const LawConstants cb = derive(Elastic{}, b.young_modulus, b.poisson_ratio, {});
+      const auto moduli_of = [&](const AnyLaw& own, const MaterialDef& d) {
+        const Real ratio = effective_poisson_ratio(own, d.poisson_ratio, strength_of(d, h));
+        return derive(Elastic{}, d.young_modulus, ratio, {});
+      };
+      const LawConstants ca = moduli_of(la, a), cb = moduli_of(lb, b);
       LawConstants moduli;
       moduli.shear_modulus = joined(ca.shear_modulus, cb.shear_modulus);
       moduli.bulk_modulus = joined(ca.bulk_modulus, cb.bulk_modulus);
