@@ -125,7 +125,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
 
 /// A factor that could not be decided is no verdict: another one is tried beside it, a few times.
 void GridSearch::set_aside(const Trial& trial) {
-  constexpr int kMost = 4;
+  constexpr int kMost = 6;
   reason_ = "at F = " + number_text(trial.strength_reduction_factor) +
             " neither equilibrium nor steady failure showed within " + std::to_string(trial.steps) +
             " steps (unbalanced force ratio " + number_text(trial.unbalanced_force_ratio) + ")";
@@ -254,9 +254,9 @@ Slices GridSearch::fast_bracket() {
     low = std::max(options_.srf_min, notched(low - step));
   }
   // upper end: from the state at rest, a little more; if it stands, it is the new lower end; where it creeps, a notch
-  // more, going on from there
+  // more, then two, going on from there
   patience_ = kBriefly;
-  double step = options_.tolerance;
+  double step = options_.tolerance, aside = notch;
   for (double high = stable_ + step; !done_ && std::isnan(failed_);) {
     high = std::min(options_.srf_max, notched(high + 0.5 * notch));
     for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};
@@ -264,7 +264,8 @@ Slices GridSearch::fast_bracket() {
       end_above();
       co_return;
     }
-    high += verdict_ == Verdict::kStable ? step *= 2 : notch;
+    high += verdict_ == Verdict::kStable ? step *= 2 : aside;
+    if (verdict_ == Verdict::kUndecided) aside *= 2;
   }
   patience_ = TrialRules{}.patience;
   // between a standing and a failing factor further apart than asked: halve, from the last state at rest
