@@ -34,9 +34,10 @@ struct ThinLayer {
 };
 
 struct Estimate {
-  std::string status, reason;     ///< OK, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER
-  double value = kNone;           ///< extrapolated where that can be trusted, else that of the finest grid
-  double error = kNone;           ///< never less than half the bracket of the finest grid
+  std::string status, reason;  ///< OK, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER
+  double value = kNone;  ///< extrapolated where that can be trusted, half way where the order is unknown, else that of
+                         ///< the finest grid
+  double error = kNone;  ///< never less than half the bracket of the finest grid
   double observed_order = kNone;  ///< of three grids; NaN where the differences give none
   bool discretisation = false;    ///< the error of the grid is in `error`: there were two grids to compare
 };

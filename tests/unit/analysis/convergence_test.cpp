@@ -134,6 +134,18 @@ TEST(Estimate, SaysWhichLayerIsThinnerThanTwoSpacings) {
   EXPECT_EQ(estimate(levels, {"weak band", 1.0}).status, "OK");
 }
 
+TEST(Estimate, IsTheMiddleOfAllOrdersWhereTheCoarserGridMissesALayer) {
+  const auto levels = exact(1, {1, 0.5});
+  const Estimate first = estimate(levels, {}), open = estimate(levels, {"weak band", 1.2});
+  const double fine = levels.back().factor_of_safety;
+  EXPECT_EQ(open.status, "OK");
+  EXPECT_NEAR(open.value, (fine + first.value) / 2, 1e-12);
+  EXPECT_LE(open.value - open.error, first.value);
+  EXPECT_GE(open.value + open.error, fine);
+  EXPECT_NE(open.reason.find("'weak band'"), std::string::npos) << open.reason;
+  EXPECT_EQ(estimate(levels, {"weak band", 2.0}).value, first.value);  // two spacings of the coarser grid
+}
+
 TEST(Estimate, IsWidenedWhereTheMechanismChanges) {
   auto levels = exact(1, {1, 0.5});
   const double error = estimate(levels, {}).error;
