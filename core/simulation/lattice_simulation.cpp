@@ -78,6 +78,7 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.dilation = t.dilation.data();
   d.zxx = t.flux_xx.data(), d.zxy = t.flux_xy.data(), d.zyx = t.flux_yx.data(), d.zyy = t.flux_yy.data();
   d.px = t.pair_force_x.data(), d.py = t.pair_force_y.data(), d.volume_source = t.volume_source.data();
+  d.opening = t.opening.data(), d.mean_load = t.mean_load.data();
   return d;
 }
 

@@ -32,7 +32,7 @@ Real elastic_energy(const Model& m, const State& s, const Scratch& scratch, cons
   Real sum = 0;
   for_each_bond(m, s, scratch, constants, cohesion_scale, [&](const ObservedBond& b) {
     const Real j2 = b.sxx * b.sxx + b.syy * b.syy + b.sxx * b.syy + b.sxy * b.sxy;
-    sum += b.volume * (j2 / (2 * b.shear_modulus) + b.mean * b.mean / (2 * b.bulk_modulus));
+    sum += b.volume * (j2 / (2 * b.shear_modulus) + b.stored_mean * b.stored_mean / (2 * b.bulk_modulus));
   });
   return sum;
 }

@@ -14,6 +14,7 @@ struct ObservedBond {
   std::size_t record = 0;                    ///< index of its plastic xx in State::plastic_strain
   Real volume = 0;                           ///< B_ij, m2
   Real sxx = 0, syy = 0, sxy = 0, mean = 0;  ///< deviator and mean stress, Pa
+  Real stored_mean = 0;                      ///< mean stress once what dilated has become volume of the ends, Pa
   Real shear_modulus = 0, bulk_modulus = 0;
   bool plastic = false;    ///< has ever yielded
   Real plastic_shear = 0;  ///< engineering plastic shear strain sqrt(2 e^p : e^p)
@@ -33,7 +34,8 @@ struct ParticleFields {
 ParticleFields particle_fields(const Model& m, const State& s, const Scratch& scratch,
                                const std::vector<LawConstants>& constants, Real cohesion_scale);
 
-/// Elastic energy of all bonds, J per metre run: sum B_ij (J2/2G + m^2/2K).
+/// Elastic energy of all bonds, J per metre run: sum B_ij (J2/2G + m^2/2K), after the plastic flow of this instant:
+/// what dilates is not taken out of the bond but of the particles at its ends.
 Real elastic_energy(const Model& m, const State& s, const Scratch& scratch, const std::vector<LawConstants>& constants,
                     Real cohesion_scale);
 

@@ -58,7 +58,10 @@ void for_each_bond(const Model& m, const State& s, const Scratch& scratch, const
       const Stress<Real> trial{twice * (e.xx - third - pxx), twice * (e.yy - third - pyy), twice * (e.xy - pxy),
                                c.bulk_modulus * (scratch.dilation[i] + scratch.dilation[j]) / 2};
       const Stress<Real> r = observe_detail::returned(c, algorithm_of(m.pair_law[p.pair]), trial).stress;
-      b.sxx = r.xx, b.syy = r.yy, b.sxy = r.xy, b.mean = r.m;
+      b.sxx = r.xx, b.syy = r.yy, b.sxy = r.xy, b.mean = r.m, b.stored_mean = trial.m;
+      if (scratch.volume_source.present())
+        b.stored_mean -=
+            c.bulk_modulus / 2 * (scratch.volume_source[i] / m.volume[i] + scratch.volume_source[j] / m.volume[j]);
       b.plastic = pxx != 0 || pyy != 0 || pxy != 0;
       const Real pzz = -(pxx + pyy);
       b.plastic_shear = std::sqrt(2 * (pxx * pxx + pyy * pyy + pzz * pzz + 2 * pxy * pxy));

@@ -60,14 +60,15 @@ void Scratch::allocate(const Model& m) {
   for (Array* a : {&weighted_x, &weighted_y, &gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation,
                    &flux_xx, &flux_xy, &flux_yx, &flux_yy, &pair_force_x, &pair_force_y})
     a->allocate(n, stagger++);
-  volume_source.allocate(m.features.volumetric_plastic ? n : 0, stagger++);
+  for (Array* a : {&volume_source, &opening, &mean_load}) a->allocate(m.features.volumetric_plastic ? n : 0, stagger++);
   if (m.features.bond == BondLaw::kNone) pair_force_x.allocate(0, 0), pair_force_y.allocate(0, 0);
 }
 
 std::size_t Scratch::bytes() const {
   std::size_t sum = 0;
-  for (const Array* a : {&weighted_x, &weighted_y, &gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation,
-                         &flux_xx, &flux_xy, &flux_yx, &flux_yy, &pair_force_x, &pair_force_y, &volume_source})
+  for (const Array* a :
+       {&weighted_x, &weighted_y, &gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation, &flux_xx, &flux_xy,
+        &flux_yx, &flux_yy, &pair_force_x, &pair_force_y, &volume_source, &opening, &mean_load})
     sum += a->bytes();
   return sum;
 }

@@ -5,6 +5,7 @@
 #include "material/cone.h"
 #include "material/hexagon.h"
 #include "step/lanes.h"
+#include "step/ledger.h"
 #include "step/step_data.h"
 
 namespace vbgpd {
@@ -84,15 +85,12 @@ VBGPD_INLINE void return_stress(const StepData& d, const BondPack& pack, const L
     store(record, load(record) + dxx), store(record + kWidth, load(record + kWidth) + dyy);
     store(record + 2 * kWidth, load(record + 2 * kWidth) + dxy);
     w.source = half * r.dilated;
-    if constexpr (kLedger)
-      plastic_work +=
-          2 *
-          lane_sum(half * (s.xx * (2.0 * dxx + dyy) + s.yy * (2.0 * dyy + dxx) + 2.0 * s.xy * dxy + s.m * r.dilated));
+    if constexpr (kLedger) plastic_work += 2 * lane_sum(half * shear_work(s, dxx, dyy, dxy));
   }
+  if constexpr (kLedger)
+    if (d.mean_load != nullptr) plastic_work += lane_sum(opening_work(d, pack, half, s.m));
   w.stress = {half * s.xx, half * s.yy, half * s.xy, half * s.m};
 }
-
-VBGPD_INLINE void add(double* p, Pack v) { store(p, load(p) + v); }
 
 /// VB5: V_i S_i = sum_j B_ij/2 [ s (I - n n^T) + m I ] of both ends, pair force B_ij s n / r with opposite signs.
 VBGPD_INLINE void add_loads(const StepData& d, int i, const BondPack* packs, const BondWork* loads, int count,

@@ -9,9 +9,12 @@ namespace vbgpd {
 inline namespace VBGPD_ISA {
 
 /// Z_i = V_i S_i M_i^-1, so that V_i S_i Phi_ij - V_j S_j Phi_ji = omega_ij (V_j Z_i + V_i Z_j) xi_ij and Phi is never
-/// stored. Also turns this step's plastic volume into plastic volumetric strain of the particle.
-inline void flux_pass(const StepData& shared, const Chunk& chunk) {
+/// stored. Also turns this step's plastic volume into plastic volumetric strain of the particle; returns the work of
+/// that, with kLedger.
+template <bool kLedger>
+inline double flux_pass(const StepData& shared, const Chunk& chunk) {
   const StepData d = shared;
+  Pack work{};
   for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
     const int i = d.blocks[b].first;
     const Pack mxx = load(d.moment_xx + i), mxy = load(d.moment_xy + i), myy = load(d.moment_yy + i);
@@ -22,7 +25,9 @@ inline void flux_pass(const StepData& shared, const Chunk& chunk) {
     const Pack volume = load(d.volume + i);
     const Pack dilated = load(d.volume_source + i) / select(volume > Pack{}, volume, broadcast(1.0));
     store(d.plastic_volume + i, load(d.plastic_volume + i) + dilated);
+    if constexpr (kLedger) work += dilated * load(d.mean_load + i);
   }
+  return lane_sum(work);
 }
 
 /// Internal force of VB5 on the particles of a block: V_i sum_j Z_j omega_ij xi_ij + Z_i sum_j V_j omega_ij xi_ij.

@@ -21,8 +21,9 @@ inline void weigh_pass(const StepData& shared, const Chunk& chunk) {
 
 /// Mean stress above the tension cut-off (or the apex) opens the particle: theta^p grows at once. Handing such volume
 /// to neighbours through the bonds, as dilatancy is, would pump energy into those under pressure (measured:
-/// cohesionless faces blow up). in  u [n] m, plastic_volume [n]   out  L [n], dilation = tr L - theta^p [n]; sums of
-/// VB5 set to zero
+/// cohesionless faces blow up). With kLedger what opened is kept for the books. in  u [n] m, plastic_volume [n]   out
+/// L [n], dilation = tr L - theta^p [n]; sums of VB5 set to zero
+template <bool kLedger>
 inline void gradient_pass(const StepData& shared, const Controls& c, const Chunk& chunk) {
   const StepData d = shared;  // its pointers stay in registers across stores
   const Pack zero{};
@@ -51,12 +52,15 @@ inline void gradient_pass(const StepData& shared, const Controls& c, const Chunk
         const Pack over = larger(dilation - load(c.dilation_cap + i), zero);
         dilation -= over;
         if (any(over > zero)) store(d.plastic_volume + i, opened + over);
+        if constexpr (kLedger) store(d.opening + i, over);
       }
     }
     store(d.dilation + i, dilation);
     store(d.zxx + i, zero), store(d.zxy + i, zero), store(d.zyx + i, zero), store(d.zyy + i, zero);
     if (d.px != nullptr) store(d.px + i, zero), store(d.py + i, zero);
     if (d.volume_source != nullptr) store(d.volume_source + i, zero);
+    if constexpr (kLedger)
+      if (d.mean_load != nullptr) store(d.mean_load + i, zero);
   }
 }
 

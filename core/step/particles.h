@@ -5,6 +5,7 @@
 #include "material/cone.h"
 #include "material/hexagon.h"
 #include "step/lanes.h"
+#include "step/ledger.h"
 #include "step/step_data.h"
 
 namespace vbgpd {
@@ -36,10 +37,14 @@ VBGPD_INLINE double particle_stress(const StepData& d, const Controls& controls,
     store(record, pxx + dxx), store(record + kWidth, pyy + dyy), store(record + 2 * kWidth, pxy + dxy);
     const Pack dilated = r.dilated;
     if (d.volume_source != nullptr) store(d.volume_source + i, load(d.volume_source + i) + volume * dilated);
-    if constexpr (kLedger)
-      plastic_work =
-          lane_sum(volume * (s.xx * (2.0 * dxx + dyy) + s.yy * (2.0 * dyy + dxx) + 2.0 * s.xy * dxy + s.m * dilated));
+    if constexpr (kLedger) plastic_work = lane_sum(volume * shear_work(s, dxx, dyy, dxy));
   }
+  if constexpr (kLedger)
+    if (d.mean_load != nullptr) {
+      const Pack opened = load(d.opening + i);
+      store(d.mean_load + i, load(d.mean_load + i) + volume * s.m);
+      plastic_work += lane_sum(volume * opened * s.m);
+    }
   store(d.zxx + i, load(d.zxx + i) + volume * (s.xx + s.m)), store(d.zxy + i, load(d.zxy + i) + volume * s.xy);
   store(d.zyx + i, load(d.zyx + i) + volume * s.xy), store(d.zyy + i, load(d.zyy + i) + volume * (s.yy + s.m));
   return plastic_work;

@@ -34,7 +34,7 @@ void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial,
 
   // particle displacement gradients                                                        VB1, VB2
   const auto weigh = [&](int k) { weigh_pass(d, d.chunks[k]); };
-  const auto gradient = [&](int k) { gradient_pass(d, c, d.chunks[k]); };
+  const auto gradient = [&](int k) { gradient_pass<kLedger>(d, c, d.chunks[k]); };
 
   // bonds: strains, trial stress, yielding, sums over bonds                                VB3, VB4, VB5
   const auto bonds = [&](int k) {
@@ -44,7 +44,7 @@ void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial,
   };
 
   // forces from virtual power, gravity, loads, damping; integrate; monitors                VB5, method 4.10, 4.11
-  const auto flux = [&](int k) { flux_pass(d, d.chunks[k]); };
+  const auto flux = [&](int k) { partial[k].plastic_work += flux_pass<kLedger>(d, d.chunks[k]); };
   const auto move = [&](int k) {
     const double plastic_work = partial[k].plastic_work;
     partial[k] = move_pass<kLedger>(d, c, d.chunks[k]);

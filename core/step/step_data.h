@@ -47,7 +47,8 @@ struct StepData {
   // state
   double *ux, *uy, *vx, *vy, *plastic_volume, *plastic_strain;
   // scratch
-  double *weighted_x, *weighted_y, *lxx, *lxy, *lyx, *lyy, *dilation, *zxx, *zxy, *zyx, *zyy, *px, *py, *volume_source;
+  double *weighted_x, *weighted_y, *lxx, *lxy, *lyx, *lyy, *dilation, *zxx, *zxy, *zyx, *zyy, *px, *py, *volume_source,
+      *opening, *mean_load;
 };
 
 }  // namespace vbgpd

@@ -105,7 +105,8 @@ TEST(Plan, BytesAreThoseOfTheArrays) {
   const auto records = static_cast<std::size_t>(m.slots * m.width);
   expect_arrays(feature(*simulation, "virtual bonds"), 2, storage);  // pair force x, y
   EXPECT_EQ(feature(*simulation, "virtual bonds").bond_bytes, m.packs.size() * sizeof(BondPack));
-  expect_arrays(feature(*simulation, "volumetric plasticity"), 3, storage);  // theta^p, its source, the cap
+  expect_arrays(feature(*simulation, "volumetric plasticity"), 5,
+                storage);  // theta^p, its source, two for its work, the cap
   expect_arrays(feature(*simulation, "cohesion gradient"), 1, storage);
   const Feature plasticity = feature(*simulation, "plasticity");
   EXPECT_EQ(plasticity.particle_bytes, 0u);

@@ -1,7 +1,9 @@
 // Dynamic steps at and past the stable time step, free bodies, long rests, restarts in the middle of failure.
 #include <algorithm>
 
+#include "analysis/job.h"
 #include "row.h"
+#include "simulation/flow_simulation.h"
 #include "simulation/lattice_simulation.h"
 
 namespace vbgpd::stability {
@@ -171,6 +173,60 @@ Case restart() {
   return c;
 }
 
+/// Soil thrown on its base at a share of the wave speed sqrt(E / rho). Strains grow with that share: at the wave speed
+/// itself small displacements mean nothing any more, but nothing may become infinite unseen.
+Case impact(const char* where, bool runs_out, double share) {
+  char name[80];
+  std::snprintf(name, sizeof name, "impact at %g of the wave speed, %s", share, where);
+  Case c{name, "stable", kNone, 1e-2, kNone, true, {}};
+  if (!runs_out) c.known = "plastic volume of large or uneven steps";
+  c.run = [runs_out, share] {
+    SceneDef s = with_law("mohr_coulomb");
+    const auto lattice = Simulation::compile(s, {});
+    const double wave = std::sqrt(s.materials[0].young_modulus * s.gravity / s.materials[0].unit_weight);
+    std::vector<double> v(2 * static_cast<std::size_t>(lattice->particle_count()), 0.0);
+    for (std::size_t k = 1; k < v.size(); k += 2) v[k] = -share * wave;
+    lattice->write(find_field("velocity"), v);
+    const auto flow = runs_out ? make_runout(*lattice) : nullptr;
+    Simulation* const simulation = runs_out ? flow.get() : lattice.get();
+    const StepReport r = simulation->step(3000, nullptr);
+    Outcome o;
+    o.steps = static_cast<double>(r.steps);
+    o.verdict = r.status == Status::kDiverged ? "diverged" : "stable";
+    if (!readable(*simulation)) o.verdict += ", unreadable";
+    if (r.status == Status::kOk) o.energy_residual = simulation->get("energy_residual");
+    return o;
+  };
+  return c;
+}
+
+/// Pore pressure of a share of the overburden in all of the soil: less and less friction is left.
+Case pore_pressure(double share) {
+  char name[80];
+  std::snprintf(name, sizeof name, "pore pressure %g of the overburden", share);
+  Case c{name, "OK", kNone, kNone, kNone, true, {}};
+  c.run = [share] {
+    const SceneDef s = base_slope();
+    const auto simulation = Simulation::compile(s, {});
+    std::vector<double> x, p;
+    simulation->read(find_field("reference_position"), x);
+    for (std::size_t i = 0; i < x.size() / 2; ++i) {
+      const double ground = x[2 * i] < 12 ? 10 : 10 - (x[2 * i] - 12) / 2;
+      p.push_back(share * s.materials[0].unit_weight * std::max(0.0, ground - x[2 * i + 1]));
+    }
+    simulation->write(find_field("pore_pressure"), p);
+    const auto job = make_strength_reduction(*simulation);
+    job->set("levels", 1);
+    job->run(0, {});
+    Outcome o;
+    o.verdict = job->result().status, o.factor_of_safety = job->result().factor_of_safety;
+    o.steps = static_cast<double>(job->result().steps);
+    if (o.verdict != "OK") o.note = job->result().reason;
+    return o;
+  };
+  return c;
+}
+
 Case million() {
   Case c{"a million particles", "stable", kNone, kNone, kNone, false, {}};
   c.run = [] {
@@ -202,6 +258,9 @@ std::vector<Case> dynamic_cases() {
   all.push_back(rest(20000, true));
   all.push_back(rest(1000000, false));
   all.push_back(restart());
+  for (const double share : {0.01, 0.1, 1.0}) all.push_back(impact("fixed bonds", false, share));
+  for (const double share : {0.01, 0.1}) all.push_back(impact("run-out", true, share));
+  for (const double share : {0.5, 0.95}) all.push_back(pore_pressure(share));
   all.push_back(million());
   return all;
 }

@@ -44,7 +44,7 @@ Case but(Case c, const char* known, const char* verdict = "") {
   c.known = known, c.known_verdict = verdict;
   return c;
 }
-const char* const kVolume = "work of plastic volume";
+const char* const kVolume = "plastic volume of large or uneven steps";
 const char* const kUndecided = "neither rest nor steady failure in the steps allowed";
 
 Case varied(const std::string& name, double most_deviation, bool fast, const Change& change) {
@@ -164,6 +164,10 @@ void add_shape(std::vector<Case>& all) {
   SceneDef overhang = vertical_cut(1.25);
   overhang.exterior = {{0, 0}, {30, 0}, {30, 15}, {9, 15}, {10, 5}, {0, 5}};
   all.push_back(but(known("face overhanging by 1 in 10", "OK", kNone, kNone, false, overhang, 2), kVolume));
+  all.push_back(
+      known("hole joined to the outline by a slit", "refused", 1, kNone, true, changed([](SceneDef& s) {
+              s.exterior = {{0, 0}, {6, 0}, {6, 3}, {4, 3}, {4, 5}, {6, 5}, {6, 0}, {32, 0}, {12, 10}, {0, 10}};
+            })));
   SceneDef thin = base_slope();
   thin.materials.push_back(thin.materials[0]);
   thin.materials[1].name = "seam", thin.materials[1].cohesion = 5e3;
