@@ -1,4 +1,6 @@
 /* The log of a context: what is said, in what order, and that reading takes nothing away. */
+#include <pthread.h>
+
 #include "slope.h"
 
 static vbgpd_log_line line;
@@ -108,9 +110,45 @@ static void old_lines_give_way(void) {
   CHECK_OK(vbgpd_context_destroy(context));
 }
 
+static void* run_to_the_end(void* job) {
+  CHECK(vbgpd_job_run((vbgpd_job*)job, 0, NULL, NULL, NULL) >= 0);
+  return NULL;
+}
+
+/* Jobs on several threads speak to one context while another thread reads: every line is whole and has its own number.
+ */
+static void many_threads_speak_at_once(void) {
+  enum { speakers = 3 };
+  vbgpd_context* context = make_context();
+  vbgpd_model* models[speakers];
+  vbgpd_job* jobs[speakers];
+  pthread_t threads[speakers];
+  int i, ended = 0;
+  int64_t after = 0;
+  for (i = 0; i < speakers; ++i) {
+    models[i] = make_model(context, 2.5);
+    jobs[i] = NULL;
+    CHECK_OK(vbgpd_job_create_strength_reduction(models[i], &jobs[i]));
+  }
+  for (i = 0; i < speakers; ++i) CHECK(pthread_create(&threads[i], NULL, run_to_the_end, jobs[i]) == 0);
+  while (ended < speakers) {
+    if (next_line(context, after) != VBGPD_OK) continue;
+    CHECK(line.sequence == after + 1 && (text[strlen(text) - 1] == '.' || strlen(text) == 247));
+    after = line.sequence;
+    ended += strstr(text, "The job ended") != NULL;
+  }
+  for (i = 0; i < speakers; ++i) {
+    CHECK(pthread_join(threads[i], NULL) == 0);
+    CHECK_OK(vbgpd_job_destroy(jobs[i]));
+    CHECK_OK(vbgpd_model_destroy(models[i]));
+  }
+  CHECK_OK(vbgpd_context_destroy(context));
+}
+
 int main(void) {
   models_and_jobs_speak();
   warnings_are_heard();
   old_lines_give_way();
+  many_threads_speak_at_once();
   return 0;
 }
