@@ -17,6 +17,7 @@ module vbgpd_base_models
     procedure :: set => set_number
     procedure :: get => get_number
     procedure :: plan
+    procedure :: memory
     procedure :: step
     procedure :: advance_to
     procedure :: epoch
@@ -90,6 +91,15 @@ contains
     character(:), allocatable, intent(inout), optional :: errmsg
     call conclude(vbgpd_model_plan(self%handle, i, record), vbgpd_model_error, self%handle, stat, errmsg)
   end subroutine plan
+
+  ! The bytes of the model by what they are for.
+  subroutine memory(self, record, stat, errmsg)
+    class(vbgpd_base_model), intent(in) :: self
+    type(vbgpd_memory), intent(inout) :: record
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    call conclude(vbgpd_model_memory(self%handle, record), vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine memory
 
   ! Explicit dynamic steps with true masses at the stable time step.
   subroutine step(self, steps, report, stat, errmsg)

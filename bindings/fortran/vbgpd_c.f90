@@ -46,6 +46,9 @@ module vbgpd_c
   integer(c_int32_t), parameter :: VBGPD_OBJECT_MODEL = 7
   integer(c_int32_t), parameter :: VBGPD_OBJECT_JOB = 8
   integer(c_int32_t), parameter :: VBGPD_OBJECT_STATE = 9
+  integer(c_int32_t), parameter :: VBGPD_LOG_WARNING = 1
+  integer(c_int32_t), parameter :: VBGPD_LOG_INFO = 2
+  integer(c_int32_t), parameter :: VBGPD_LOG_DETAIL = 3
   integer(c_int32_t), parameter :: VBGPD_BOUNDARY_FREE = 0
   integer(c_int32_t), parameter :: VBGPD_BOUNDARY_FIXED = 1
   integer(c_int32_t), parameter :: VBGPD_BOUNDARY_ROLLER = 2
@@ -83,12 +86,20 @@ module vbgpd_c
   end type vbgpd_error_info
 
   type, bind(C) :: vbgpd_context_desc
-    integer(c_int32_t) :: struct_size = 24
+    integer(c_int32_t) :: struct_size = 32
     integer(c_int32_t) :: abi_version = 0
     integer(c_int32_t) :: threads = 0
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: max_particles = 0
+    integer(c_int64_t) :: max_bytes = 0
   end type vbgpd_context_desc
+
+  type, bind(C) :: vbgpd_log_line
+    integer(c_int32_t) :: struct_size = 24
+    integer(c_int32_t) :: level = 0
+    integer(c_int64_t) :: sequence = 0
+    real(c_double) :: seconds = 0
+  end type vbgpd_log_line
 
   type, bind(C) :: vbgpd_property_info
     integer(c_int32_t) :: struct_size = 64
@@ -112,6 +123,18 @@ module vbgpd_c
     real(c_double) :: bytes_per_particle = 0
     real(c_double) :: bytes_per_bond = 0
   end type vbgpd_feature
+
+  type, bind(C) :: vbgpd_memory
+    integer(c_int32_t) :: struct_size = 64
+    integer(c_int32_t) :: reserved = 0
+    integer(c_int64_t) :: bytes = 0
+    integer(c_int64_t) :: model = 0
+    integer(c_int64_t) :: state = 0
+    integer(c_int64_t) :: scratch = 0
+    integer(c_int64_t) :: copies = 0
+    integer(c_int64_t) :: outside = 0
+    integer(c_int64_t) :: saved = 0
+  end type vbgpd_memory
 
   type, bind(C) :: vbgpd_progress
     integer(c_int32_t) :: struct_size = 72
@@ -260,6 +283,16 @@ module vbgpd_c
       type(c_ptr) :: outcome
     end function vbgpd_status_name
 
+    function vbgpd_build_info(key, key_len, buf, cap, needed) result(outcome) bind(C)
+      import
+      character(kind=c_char), intent(in), optional :: key(*)
+      integer(c_int64_t), value :: key_len
+      character(kind=c_char), intent(inout), optional :: buf(*)
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: outcome
+    end function vbgpd_build_info
+
     function vbgpd_context_error(context, info, text, cap, needed) result(outcome) bind(C)
       import
       type(c_ptr), value :: context
@@ -320,6 +353,18 @@ module vbgpd_c
       type(c_ptr), value :: context
       integer(c_int32_t) :: outcome
     end function vbgpd_context_destroy
+
+    ! ---- log
+    function vbgpd_context_log_next(context, after, line, text, cap, needed) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: context
+      integer(c_int64_t), value :: after
+      type(vbgpd_log_line), intent(inout), optional :: line
+      character(kind=c_char), intent(inout), optional :: text(*)
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: outcome
+    end function vbgpd_context_log_next
 
     ! ---- the named numbers describe themselves
     function vbgpd_property_count(object_kind, n) result(outcome) bind(C)
@@ -550,6 +595,13 @@ module vbgpd_c
       integer(c_int32_t) :: outcome
     end function vbgpd_model_plan
 
+    function vbgpd_model_memory(model, m) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      type(vbgpd_memory), intent(inout), optional :: m
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_memory
+
     function vbgpd_model_step(model, steps, r) result(outcome) bind(C)
       import
       type(c_ptr), value :: model
@@ -628,6 +680,15 @@ module vbgpd_c
       integer(c_int64_t), value :: len
       integer(c_int32_t) :: outcome
     end function vbgpd_model_restore_checkpoint
+
+    function vbgpd_model_snapshot(model, buf, cap, needed) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      type(c_ptr), value :: buf
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_snapshot
 
     ! ---- run-out
     function vbgpd_model_create_runout(from, out) result(outcome) bind(C)

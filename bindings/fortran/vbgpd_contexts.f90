@@ -12,6 +12,7 @@ module vbgpd_contexts
     procedure :: create
     procedure :: destroy
     procedure :: last_error
+    procedure :: log_next
     procedure, private :: copy
     generic :: assignment(=) => copy
     final :: finalize
@@ -19,13 +20,14 @@ module vbgpd_contexts
 
 contains
 
-  ! threads: workers per model, 0 = all cores, default 1; max_particles: 0 = no limit.
-  subroutine create(self, threads, max_particles, stat, errmsg)
+  ! threads: workers per model, 0 = all cores, default 1; max_particles, max_bytes (of one model): 0 = no limit.
+  subroutine create(self, threads, max_particles, stat, errmsg, max_bytes)
     class(vbgpd_context), intent(inout) :: self
     integer, intent(in), optional :: threads
     integer(c_int64_t), intent(in), optional :: max_particles
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    integer(c_int64_t), intent(in), optional :: max_bytes
     type(vbgpd_context_desc) :: desc
     type(c_ptr) :: fresh
     integer(c_int32_t) :: status, ignored
@@ -34,10 +36,11 @@ contains
     desc%abi_version = VBGPD_HEADER_ABI_VERSION
     if (present(threads)) desc%threads = int(threads, c_int32_t)
     if (present(max_particles)) desc%max_particles = max_particles
+    if (present(max_bytes)) desc%max_bytes = max_bytes
     if (status >= 0) status = vbgpd_context_create(desc, fresh)
     if (status < 0) then
       call refuse(status, "The context could not be created: " // vbgpd_status_text(status) // &
-                  ". threads and max_particles must be 0 or more, and the library of ABI version " // &
+                  ". threads, max_particles and max_bytes must be 0 or more, and the library of ABI version " // &
                   number_text(int(VBGPD_HEADER_ABI_VERSION, c_int64_t)) // "; it has " // &
                   number_text(int(vbgpd_abi_version(), c_int64_t)) // ".", stat, errmsg)
       return
@@ -65,6 +68,24 @@ contains
     integer(c_int32_t), intent(out) :: stat
     call read_error(vbgpd_context_error, self%handle, info, text, stat)
   end subroutine last_error
+
+  ! The oldest line of the log with a sequence above `after`; stat VBGPD_END_OF_DATA when there is none.
+  subroutine log_next(self, after, line, text, stat, errmsg)
+    class(vbgpd_context), intent(in) :: self
+    integer(c_int64_t), intent(in) :: after
+    type(vbgpd_log_line), intent(inout) :: line
+    character(:), allocatable, intent(out) :: text
+    integer(c_int32_t), intent(out) :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    character(248) :: buffer
+    integer(c_int64_t) :: needed
+    integer(c_int32_t) :: status
+    needed = 0
+    text = ""
+    status = vbgpd_context_log_next(self%handle, after, line, buffer, len(buffer, c_int64_t), needed)
+    if (status == VBGPD_OK) text = buffer(:needed)
+    call conclude(status, vbgpd_context_error, self%handle, stat, errmsg)
+  end subroutine log_next
 
   subroutine copy(self, other)
     class(vbgpd_context), intent(inout) :: self

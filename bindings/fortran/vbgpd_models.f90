@@ -23,6 +23,7 @@ module vbgpd_models
     procedure :: save
     procedure :: restore
     procedure :: checkpoint
+    procedure :: snapshot
     procedure :: create_from_checkpoint
     procedure :: create_runout
     procedure :: restore_checkpoint
@@ -82,6 +83,24 @@ contains
     end if
     call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
   end subroutine checkpoint
+
+  ! What can be seen of the model, as the bytes of a flatbuffer (snapshot.fbs) for other programs.
+  subroutine snapshot(self, bytes, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int8_t), allocatable, target, intent(inout) :: bytes(:)
+    integer(c_int64_t) :: needed
+    integer(c_int32_t) :: status
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    needed = 0
+    status = vbgpd_model_snapshot(self%handle, c_null_ptr, 0_c_int64_t, needed)
+    if (status >= 0) then
+      if (allocated(bytes)) deallocate (bytes)
+      allocate (bytes(needed))
+      status = vbgpd_model_snapshot(self%handle, c_loc(bytes), needed, needed)
+    end if
+    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine snapshot
 
   subroutine create_from_checkpoint(self, context, bytes, stat, errmsg)
     class(vbgpd_model), intent(inout) :: self

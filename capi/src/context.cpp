@@ -1,4 +1,4 @@
-// Contexts: how many threads, how many particles.
+// Contexts: how many threads, how many particles and bytes.
 #include <thread>
 
 #include "convert.h"
@@ -21,6 +21,7 @@ void check(const vbgpd_context_desc& desc) {
   }
   if (desc.threads < 0) throw ArgumentError(1, Status::kRange, "threads must be 0 (all cores) or more.");
   if (desc.max_particles < 0) throw ArgumentError(1, Status::kRange, "max_particles must be 0 (no limit) or more.");
+  if (desc.max_bytes < 0) throw ArgumentError(1, Status::kRange, "max_bytes must be 0 (no limit) or more.");
   if (desc.reserved != 0) throw ArgumentError(1, Status::kArgument, "reserved must be 0.");
 }
 
@@ -56,6 +57,7 @@ vbgpd_status vbgpd_context_create(const vbgpd_context_desc* d, vbgpd_context** o
     auto context = std::make_unique<ContextObject>();
     context->threads = thread_count(desc.threads);
     context->max_particles = desc.max_particles;
+    context->max_bytes = desc.max_bytes;
     hand_out(std::move(context), out);
     return Status::kOk;
   });

@@ -167,6 +167,7 @@ vbgpd_status vbgpd_job_run(vbgpd_job* job, double wall_seconds, vbgpd_progress_f
     fill(p, progress_of(object.job->progress()));
     if (listener.threw()) throw ArgumentError(3, Status::kInternal, "The progress function threw an exception.");
     if (status == Status::kDiverged) report_divergence(*object.job);
+    if (static_cast<std::int32_t>(status) < 0) throw Error(status, object.job->result().reason);
     return status;
   });
 }

@@ -105,12 +105,9 @@ vbgpd_status vbgpd_model_create(vbgpd_context* context, const vbgpd_profile* pro
     if (!source) throw ArgumentError(2, Status::kHandle, "The profile is not a live profile.");
     const Inside inside(source->gate());
     require(inside, 2, "profile");
-    CompileOptions options;
-    options.threads = limits.threads;
-    options.max_particles = limits.max_particles;
     auto model = std::make_unique<ModelObject>();
     try {
-      model->engine->simulation = Simulation::compile(source->scene, options);
+      model->engine->simulation = Simulation::compile(source->scene, limits.options());
     } catch (const Error& error) {
       throw ArgumentError(2, error.issue());
     }

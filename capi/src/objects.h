@@ -10,6 +10,7 @@
 #include "analysis/job.h"
 #include "events.h"
 #include "handles.h"
+#include "log.h"
 #include "scene/scene_def.h"
 #include "simulation/simulation.h"
 
@@ -18,8 +19,14 @@ namespace vbgpd::capi {
 struct ContextObject : Object {
   static constexpr ObjectKind kKind = ObjectKind::kContext;
   ContextObject() : Object(kKind) {}
+  CompileOptions options() const {
+    CompileOptions o;
+    o.threads = threads, o.max_particles = max_particles, o.max_bytes = max_bytes, o.log = log;
+    return o;
+  }
   int threads = 1;
-  std::int64_t max_particles = 0;
+  std::int64_t max_particles = 0, max_bytes = 0;
+  std::shared_ptr<LogRing> log = std::make_shared<LogRing>();  ///< shared with the models made here
 };
 
 struct ProfileObject : Object {

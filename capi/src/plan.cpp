@@ -63,3 +63,18 @@ vbgpd_status vbgpd_model_plan(const vbgpd_model* model, int64_t i, vbgpd_feature
     return Status::kOk;
   });
 }
+
+vbgpd_status vbgpd_model_memory(const vbgpd_model* model, vbgpd_memory* m) {
+  return with(model, [&](ModelObject& object) {
+    require_struct(m, 2);
+    const Memory from = object.engine->simulation->memory();
+    const auto bytes = [](std::size_t n) { return static_cast<std::int64_t>(n); };
+    vbgpd_memory told{};
+    told.struct_size = sizeof told;
+    told.bytes = bytes(from.total());
+    told.model = bytes(from.model), told.state = bytes(from.state), told.scratch = bytes(from.scratch);
+    told.copies = bytes(from.copies), told.outside = bytes(from.outside), told.saved = bytes(from.saved);
+    fill(m, told);
+    return Status::kOk;
+  });
+}

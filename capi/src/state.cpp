@@ -7,9 +7,7 @@ namespace vbgpd::capi {
 namespace {
 
 CompileOptions options_of(const ContextObject& context, const Checkpoint& checkpoint) {
-  CompileOptions options;
-  options.threads = context.threads;
-  options.max_particles = context.max_particles;
+  CompileOptions options = context.options();
   options.spacing_factor = checkpoint.spacing_factor;
   options.lattice_multiple = checkpoint.lattice_multiple;
   options.coarsening = checkpoint.coarsening;
@@ -85,7 +83,8 @@ vbgpd_status vbgpd_model_create_from_checkpoint(vbgpd_context* context, const vo
       model->engine->simulation = Simulation::compile(checkpoint.scene, options);
     } catch (const Error& error) {
       Issue issue = error.issue();
-      if (issue.status == Status::kLimit) issue.status = Status::kFormat;
+      const bool too_many_bytes = issue.object == ObjectKind::kContext;
+      if (issue.status == Status::kLimit && !too_many_bytes) issue.status = Status::kFormat;
       throw ArgumentError(2, issue);
     }
     model->engine->simulation->restore_image(checkpoint.state);

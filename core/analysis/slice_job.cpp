@@ -1,6 +1,7 @@
 #include "analysis/slice_job.h"
 
 #include <cmath>
+#include <new>
 
 #include "scene/wording.h"
 
@@ -42,6 +43,7 @@ Status SliceJob::run(double wall_seconds, const Callback& callback) {
   if (!started_) slices_ = analysis(), started_ = true;
   cancel_.store(false, std::memory_order_relaxed);
   const Stopwatch watch;
+  Log* const log = simulation_.options().log.get();
   double called = 0;
   constexpr double kCallEvery = 0.1;
   const double cpu_before = result_.cpu_seconds, wall_before = result_.wall_seconds;
@@ -50,7 +52,11 @@ Status SliceJob::run(double wall_seconds, const Callback& callback) {
     bool more = false;
     try {
       more = slices_.next();
-    } catch (...) {  // the analysis is over: say so at every later call
+    } catch (const std::bad_alloc&) {  // the analysis is over: say so at every later call
+      finished_ = true, outcome_ = Status::kMemory;
+      result_.status = "NO_MEMORY", result_.reason = "the analysis ran out of memory";
+      throw;
+    } catch (...) {
       finished_ = true, outcome_ = Status::kInternal;
       result_.status = "INTERNAL", result_.reason = "the analysis stopped on an internal error";
       throw;
@@ -59,9 +65,11 @@ Status SliceJob::run(double wall_seconds, const Callback& callback) {
     result_.wall_seconds = wall_before + now;
     result_.cpu_seconds = cpu_before + watch.cpu();
     result_.steps = progress_.steps;
+    teller_.look(log, progress_, result_);
     if (!more) {
       finished_ = true;
       progress_.fraction = 1;
+      teller_.end(log, outcome_, result_);
       return outcome_;
     }
     if (callback && now - called >= kCallEvery) {

@@ -5,6 +5,7 @@
 
 #include "analysis/job.h"
 #include "analysis/slices.h"
+#include "analysis/tell.h"
 #include "analysis/trial.h"
 
 namespace vbgpd {
@@ -33,6 +34,7 @@ class SliceJob : public Job {
  private:
   std::map<std::string, double> options_;
   Slices slices_;
+  Teller teller_;
   std::atomic<bool> cancel_{false};
   bool started_ = false, finished_ = false;
 };

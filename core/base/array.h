@@ -25,10 +25,10 @@ class Array {
     return *this;
   }
 
-  /// n zeros; `stagger` is the array's number in the list of arrays.
+  /// n zeros; `stagger` is the array's number in the list of arrays. Absent when memory runs out.
   void allocate(std::size_t n, int stagger) {
     stagger_ = stagger;
-    size_ = n;
+    size_ = 0;
     storage_.reset();
     if (n == 0) return;
     const std::size_t shift = 64 * static_cast<std::size_t>(5 * (stagger % 13));
@@ -36,6 +36,7 @@ class Array {
     storage_.reset(static_cast<std::byte*>(::operator new (bytes_, std::align_val_t{64})));
     std::memset(storage_.get(), 0, bytes_);
     shift_ = shift;
+    size_ = n;
   }
   bool present() const { return size_ != 0; }
   std::size_t size() const { return size_; }

@@ -15,7 +15,6 @@ namespace schema = exchange::checkpoint;
 
 namespace {
 
-constexpr std::uint32_t kFormat = 1;
 constexpr std::size_t kMostRows = 64, kMostNumbers = 64, kMostName = 64;
 
 [[noreturn]] void refuse(const std::string& text) { throw Error(Status::kFormat, "the checkpoint " + text); }
@@ -116,7 +115,7 @@ std::vector<std::uint8_t> checkpoint_to_bytes(const Checkpoint& c) {
   const auto row_list = out.CreateVector(rows);
   const auto plastic_list = out.CreateVectorOfStructs(plastic);
   const auto root =
-      schema::CreateCheckpoint(out, kFormat, scene_bytes, c.spacing_factor, c.lattice_multiple, c.coarsening,
+      schema::CreateCheckpoint(out, kCheckpointFormat, scene_bytes, c.spacing_factor, c.lattice_multiple, c.coarsening,
                                c.state.particles, c.state.bonds, number_list, row_list, plastic_list, c.state.hash);
   schema::FinishCheckpointBuffer(out, root);
   return {out.GetBufferPointer(), out.GetBufferPointer() + out.GetSize()};
@@ -127,9 +126,9 @@ Checkpoint checkpoint_from_bytes(std::span<const std::uint8_t> bytes) {
   // A copy: aligned as flatbuffers expects, and nobody can change it between the check and the reading.
   const std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
   const schema::Checkpoint& from = verified(copy);
-  if (from.format() > kFormat)
+  if (from.format() > kCheckpointFormat)
     throw Error(Status::kVersion, "the checkpoint has format " + std::to_string(from.format()) +
-                                      "; this library reads up to " + std::to_string(kFormat));
+                                      "; this library reads up to " + std::to_string(kCheckpointFormat));
   if (from.format() == 0) refuse("names no format");
   Checkpoint out;
   out.spacing_factor = from.spacing_factor();

@@ -11,6 +11,8 @@
 
 namespace vbgpd {
 
+inline constexpr std::uint32_t kCheckpointFormat = 1;
+
 struct Checkpoint {
   SceneDef scene;
   double spacing_factor = 1;

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "exchange/checkpoint.h"
 #include "exchange/scene_buffer.h"
+#include "exchange/snapshot.h"
 
 namespace vbgpd {
 
@@ -19,6 +20,7 @@ SceneDef scene_from_flatbuffer(std::span<const std::uint8_t>) { unsupported(); }
 std::vector<std::uint8_t> scene_to_flatbuffer(const SceneDef&) { unsupported(); }
 std::vector<std::uint8_t> checkpoint_to_bytes(const Checkpoint&) { unsupported(); }
 Checkpoint checkpoint_from_bytes(std::span<const std::uint8_t>) { unsupported(); }
+std::vector<std::uint8_t> snapshot_to_bytes(const Snapshot&) { unsupported(); }
 bool reads_flatbuffers() noexcept { return false; }
 
 }  // namespace vbgpd

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "scene/wording.h"
 #include "simulation/build_flow.h"
 #include "state/flow_neighbours.h"
 
@@ -14,6 +16,7 @@ struct FlowSimulation::Saved final : SavedState {
   Ledger ledger;
   Real factor = 1, time = 0, peak_kinetic = 0;
   std::int64_t steps = 0;
+  std::optional<SavedBytes> counted;
 };
 
 namespace {
@@ -236,7 +239,17 @@ std::shared_ptr<SavedState> FlowSimulation::save() const {
   auto saved = std::make_shared<Saved>();
   saved->state = state_, saved->last = last_, saved->ledger = ledger_;
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->peak_kinetic = peak_kinetic_;
+  saved->counted.emplace(saved_, saved->state.bytes());
   return saved;
+}
+
+Memory FlowSimulation::memory() const {
+  Memory m;
+  m.model = model_.bytes() + lists_.bytes();
+  m.state = state_.bytes();
+  m.scratch = scratch_.bytes();
+  m.saved = *saved_;
+  return m;
 }
 
 void FlowSimulation::restore(const SavedState& other) {
@@ -252,7 +265,16 @@ std::unique_ptr<Simulation> make_runout(const Simulation& from, const FlowOption
   const auto* const lattice = dynamic_cast<const LatticeSimulation*>(&from);
   if (lattice == nullptr)
     throw Error(Status::kState, "this model is a run-out already; make a run-out from the model it came from");
-  return std::make_unique<FlowSimulation>(*lattice, options);
+  auto made = std::make_unique<FlowSimulation>(*lattice, options);
+  const double bytes = made->get("bytes");
+  const std::int64_t most = from.options().max_bytes;
+  if (most > 0 && bytes > static_cast<double>(most))
+    throw Error(Issue{.status = Status::kLimit,
+                      .object = ObjectKind::kContext,
+                      .value = bytes,
+                      .text = "the run-out has " + number_text(bytes, 12) + " bytes, more than the " +
+                              std::to_string(most) + " allowed: allow more bytes or use a larger spacing"});
+  return made;
 }
 
 }  // namespace vbgpd

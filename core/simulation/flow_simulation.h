@@ -33,6 +33,7 @@ class FlowSimulation final : public Simulation {
   void read(int field, std::vector<double>& out) const override;
   void read(int field, std::vector<std::int64_t>& out) const override;
   std::uint64_t state_hash() const override { return state_.hash(); }
+  Memory memory() const override;
 
   const FlowModel& model() const { return model_; }
   FlowState& state() { return state_; }
@@ -67,6 +68,7 @@ class FlowSimulation final : public Simulation {
 
   SceneDef scene_;
   CompileOptions options_;
+  SavedTotal saved_ = std::make_shared<std::atomic<std::size_t>>(0);
   Section section_;
   const FlowKernels& kernels_;
   FlowModel model_;

@@ -88,7 +88,7 @@ double FlowSimulation::get(std::string_view name) const {
   if (name == "particles") return static_cast<double>(model_.particles);
   if (name == "bonds") return static_cast<double>(bond_count());
   if (name == "plastic_bonds") return plastic_bond_count();
-  if (name == "bytes") return static_cast<double>(model_.bytes() + state_.bytes() + lists_.bytes() + scratch_.bytes());
+  if (name == "bytes") return static_cast<double>(memory().total());
   if (name == "kinetic_energy") return kinetic_energy();
   if (name == "peak_kinetic_energy") return peak_kinetic_;
   if (name == "elastic_energy") return elastic_energy();

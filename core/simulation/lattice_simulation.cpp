@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "scene/wording.h"
 #include "simulation/build_model.h"
@@ -13,6 +14,8 @@ namespace {
 /// Fraction of the stable time step that is used: what the measurement may still miss of omega_max comes off it.
 constexpr Real kStepMargin = 0.96;
 
+std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.external_y.bytes() + o.pore_pressure.bytes(); }
+
 }  // namespace
 
 struct LatticeSimulation::Saved final : SavedState {
@@ -23,12 +26,14 @@ struct LatticeSimulation::Saved final : SavedState {
   Drive drive;
   Outside outside;
   std::uint64_t force_version = 0;
+  std::optional<SavedBytes> counted;
 };
 
 LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions& options, const Kernels& kernels)
     : scene_(scene), options_(options), kernels_(kernels), workers_(options.threads) {
   Lattice lattice = fit_lattice(scene, scene.spacing * options.spacing_factor, options.lattice_multiple);
   if (options.coarsening > 1) lattice = coarsened(lattice, options.coarsening);
+  require_bytes(scene, lattice, kernels.width, options.max_bytes);
   section_ = discretise(scene, lattice, support_reach(scene), options.max_particles);
   model_ = build_model(scene_, section_, kernels.width);
   drive_ = scene_drive(scene_, section_);
@@ -91,13 +96,15 @@ void LatticeSimulation::run_step(State& state, Scratch& scratch, const Controls&
 
 void LatticeSimulation::set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const {
   const auto n = static_cast<std::size_t>(model_.storage);
-  mobility_x.allocate(n, 10);
-  mobility_y.allocate(n, 11);
+  Array x, y;  // both or none, should memory run out
+  x.allocate(n, 10);
+  y.allocate(n, 11);
   for (std::size_t i = 0; i < n; ++i) {
     if (!(mass[i] > 0)) continue;
-    mobility_x[i] = model_.free_x[i] / mass[i];
-    mobility_y[i] = model_.free_y[i] / mass[i];
+    x[i] = model_.free_x[i] / mass[i];
+    y[i] = model_.free_y[i] / mass[i];
   }
+  mobility_x = std::move(x), mobility_y = std::move(y);
 }
 
 Real LatticeSimulation::dynamic_time_step() const {
@@ -154,8 +161,10 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
   audit_.valid = false;
   const Workers::Session session(workers_);
   if (!relaxing_mobility_x_.present()) {
-    set_mobility(model_.scaled_mass, relaxing_mobility_x_, relaxing_mobility_y_);
+    Array x, y;  // all or nothing, should memory run out here
+    set_mobility(model_.scaled_mass, x, y);
     relaxing_frequency_ = highest_frequency(model_.scaled_mass);
+    relaxing_mobility_x_ = std::move(x), relaxing_mobility_y_ = std::move(y);
   }
   Controls c;
   c.mobility_x = relaxing_mobility_x_.data(), c.mobility_y = relaxing_mobility_y_.data();
@@ -199,6 +208,7 @@ std::shared_ptr<SavedState> LatticeSimulation::save() const {
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->since_restart = since_restart_;
   saved->last_time_step = last_time_step_, saved->ledger = ledger_;
   saved->drive = drive_, saved->outside = outside_, saved->force_version = force_version_;
+  saved->counted.emplace(saved_, saved->state.bytes() + bytes_of(saved->outside));
   return saved;
 }
 
@@ -215,15 +225,18 @@ void LatticeSimulation::restore(const SavedState& other) {
   last_time_step_ = saved.last_time_step, ledger_ = saved.ledger;
 }
 
-std::size_t LatticeSimulation::bytes() const {
-  std::size_t sum = model_.bytes() + state_.bytes() + scratch_.bytes() + probe_.bytes() + audit_.state.bytes() +
-                    outside_.external_x.bytes() + outside_.external_y.bytes() + outside_.pore_pressure.bytes() +
-                    storage_ids_.capacity() * sizeof(std::int64_t);
+Memory LatticeSimulation::memory() const {
+  Memory m;
+  m.model = model_.bytes() + section_.seeds.capacity() * sizeof(Seed) + section_.cut_pairs.capacity() * sizeof(CutPair);
+  m.state = state_.bytes();
+  m.scratch = scratch_.bytes() + partial_.capacity() * sizeof(Sums);
   for (const Array* a : {&zero_, &dilation_cap_, &dynamic_mobility_x_, &dynamic_mobility_y_, &relaxing_mobility_x_,
                          &relaxing_mobility_y_})
-    sum += a->bytes();
-  return sum + section_.seeds.capacity() * sizeof(Seed) + section_.cut_pairs.capacity() * sizeof(CutPair) +
-         partial_.capacity() * sizeof(Sums);
+    m.scratch += a->bytes();
+  m.copies = probe_.bytes() + audit_.state.bytes() + storage_ids_.capacity() * sizeof(std::int64_t);
+  m.outside = bytes_of(outside_);
+  m.saved = *saved_;
+  return m;
 }
 
 Real LatticeSimulation::elastic_energy() const {
@@ -270,7 +283,7 @@ double LatticeSimulation::get(std::string_view name) const {
   if (name == "particles") return static_cast<double>(model_.particles);
   if (name == "bonds") return static_cast<double>(model_.bonds);
   if (name == "plastic_bonds") return static_cast<double>(vbgpd::plastic_bonds(model_, state_));
-  if (name == "bytes") return static_cast<double>(bytes());
+  if (name == "bytes") return static_cast<double>(memory().total());
   if (name == "kinetic_energy") return kinetic_energy();
   if (name == "elastic_energy") return elastic_energy();
   if (name == "plastic_dissipation") return ledger_.plastic;

@@ -34,6 +34,7 @@ class LatticeSimulation final : public Simulation {
   void read(int field, std::vector<std::int64_t>& out) const override;
   std::uint64_t state_hash() const override { return state_.hash(); }
   std::vector<Feature> plan() const override;
+  Memory memory() const override;
   StepReport advance_to(double time, const StepWatch& watch) override;
   void write(int field, const std::vector<double>& rows) override;
   const Drive& drive() const override { return drive_; }
@@ -65,7 +66,6 @@ class LatticeSimulation final : public Simulation {
     Real stored = 0, time = 0;
     std::int64_t steps = 0;
   };
-  std::size_t bytes() const;
   struct Saved;
   /// Where a run of dynamic steps ends: after so many, or exactly at a time.
   struct Goal {
@@ -101,6 +101,7 @@ class LatticeSimulation final : public Simulation {
 
   SceneDef scene_;
   CompileOptions options_;
+  SavedTotal saved_ = std::make_shared<std::atomic<std::size_t>>(0);
   Section section_;
   const Kernels& kernels_;
   Model model_;

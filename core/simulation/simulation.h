@@ -10,9 +10,11 @@
 #include <string_view>
 #include <vector>
 
+#include "base/log.h"
 #include "base/state_image.h"
 #include "geometry/section.h"
 #include "scene/scene_def.h"
+#include "simulation/memory.h"
 #include "simulation/plan.h"
 
 namespace vbgpd {
@@ -56,6 +58,8 @@ struct CompileOptions {
   Real spacing_factor = 1;         ///< spacing aimed at, times the scene's
   int lattice_multiple = 2;        ///< key lines are asked to fall on every that many-th cell edge
   int coarsening = 1;              ///< then the cells are made this many times larger
+  std::int64_t max_bytes = 0;      ///< predicted_bytes beyond it are refused; 0 = no limit
+  std::shared_ptr<Log> log;        ///< may be null; the grids of jobs speak to the same one
 };
 
 struct StepReport {
@@ -150,6 +154,8 @@ class Simulation {
 
   /// Every feature as used or left out; their bytes add up to "bytes". By default all of them in one entry.
   virtual std::vector<Feature> plan() const;
+  /// The same bytes by what they are for.
+  virtual Memory memory() const = 0;
 
   // Coupling; a kind of simulation that cannot do one of these throws Error(kUnsupported).
 

@@ -174,6 +174,31 @@ class PythonFace(unittest.TestCase):
             vbgpd.Profile.from_flatbuffer(self.context, b"not a scene")
         self.assertEqual(caught.exception.status, vbgpd.Status.E_FORMAT)
 
+    def test_the_log_is_read_line_by_line(self):
+        self.assertEqual(self.context.log(), [])
+        model = vbgpd.Model(self.context, make_profile(self.context))
+        with vbgpd.Job.equilibrium(model) as job:
+            job.run()
+        lines = self.context.log()
+        self.assertEqual([line.sequence for line in lines], list(range(1, len(lines) + 1)))
+        self.assertIn("Model of", lines[0].text)
+        self.assertIn("The job ended", lines[-1].text)
+        self.assertEqual(self.context.log(after=lines[0].sequence), lines[1:])
+
+    def test_a_limit_of_bytes_names_what_would_be_needed(self):
+        with vbgpd.Context(library=LIBRARY, max_bytes=100000) as small:
+            with self.assertRaises(vbgpd.Error) as caught:
+                vbgpd.Model(small, make_profile(small))
+        self.assertEqual(caught.exception.status, vbgpd.Status.E_LIMIT)
+        self.assertGreater(caught.exception.value, 100000)
+        self.assertIn("would fit", str(caught.exception))
+
+    def test_build_info_is_a_dict_of_texts(self):
+        facts = vbgpd.build_info(library=LIBRARY)
+        self.assertEqual(facts["version"], vbgpd.version(LIBRARY))
+        self.assertEqual(facts["compiler"], vbgpd.build_info("compiler", LIBRARY))
+        self.assertRaises(vbgpd.Error, vbgpd.build_info, "weather", LIBRARY)
+
     def test_the_library_is_found_beside_the_package(self):
         with tempfile.TemporaryDirectory() as folder:
             copy = os.path.join(folder, "vbgpd")

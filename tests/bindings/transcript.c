@@ -58,6 +58,11 @@ static void step_tables(void) {
   int64_t n, i;
   int32_t kind, found;
   printf("01 version %d %d %s\n", vbgpd_version_number(), vbgpd_abi_version(), vbgpd_version_string());
+  {
+    char text[SIZE] = "";
+    vbgpd_status s = vbgpd_build_info("compiler", 8, text, sizeof text, &n);
+    printf("   built %d %" PRId64 " %s\n", s, n, text);
+  }
   printf("02 status %s %s %s\n", vbgpd_status_name(VBGPD_E_RANGE), vbgpd_status_name(VBGPD_NOT_CONVERGED),
          vbgpd_status_name(12345));
   for (kind = VBGPD_OBJECT_PROFILE; kind <= VBGPD_OBJECT_JOB; ++kind) {
@@ -441,7 +446,9 @@ static void step_checkpoint(vbgpd_context* context, vbgpd_profile* profile, vbgp
   vbgpd_model_destroy(other);
   free(bytes);
   s = vbgpd_profile_to_flatbuffer(profile, NULL, 0, &scene);
-  printf("   profile %d %" PRId64 "\n", s, scene);
+  printf("   profile %d %" PRId64, s, scene);
+  s = vbgpd_model_snapshot(model, NULL, 0, &size);
+  printf(" snapshot %d %" PRId64 "\n", s, size);
 }
 
 static void step_coupling(vbgpd_context* context, vbgpd_profile* profile) {
@@ -455,6 +462,18 @@ static void step_coupling(vbgpd_context* context, vbgpd_profile* profile) {
   step_events(model);
   step_checkpoint(context, profile, model);
   vbgpd_model_destroy(model);
+}
+
+static void step_memory(vbgpd_context* context, vbgpd_model* model) {
+  vbgpd_log_line line = {.struct_size = sizeof line};
+  vbgpd_memory m = {.struct_size = sizeof m};
+  char text[248] = "";
+  vbgpd_status s = vbgpd_context_log_next(context, 0, &line, text, sizeof text, NULL);
+  printf("   log %d level %d sequence %" PRId64 ": %s", s, line.level, line.sequence, text);
+  printf(" then %d\n", vbgpd_context_log_next(context, SIZE, &line, text, sizeof text, NULL));
+  s = vbgpd_model_memory(model, &m);
+  printf("   memory %d %" PRId64 " %" PRId64 " %" PRId64 " %" PRId64 " %" PRId64 " %" PRId64 " %" PRId64 "\n", s,
+         m.bytes, m.model, m.state, m.scratch, m.copies, m.outside, m.saved);
 }
 
 int main(void) {
@@ -482,6 +501,7 @@ int main(void) {
   printf("15 model %d", s);
   say_numbers(model, sizes, 7);
   say_hash(model);
+  step_memory(context, model);
   step_equilibrium(model);
   step_fields(model);
   step_dynamics(model);

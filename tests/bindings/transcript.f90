@@ -147,8 +147,12 @@ contains
     integer(c_int64_t) :: n, i
     integer(c_int32_t) :: kind, found, s
     character(:), allocatable :: name
+    character(200) :: built
     call say("01 version " // num32(vbgpd_version_number()) // " " // num32(vbgpd_abi_version()) // " " // &
              vbgpd_text(vbgpd_version_string()))
+    built = ""
+    s = vbgpd_build_info("compiler", 8_c_int64_t, built, len(built, c_int64_t), n)
+    call say("   built " // num32(s) // " " // num(n) // " " // built(:n))
     call say("02 status " // vbgpd_status_text(VBGPD_E_RANGE) // " " // vbgpd_status_text(VBGPD_NOT_CONVERGED) // &
              " " // vbgpd_status_text(12345))
     do kind = VBGPD_OBJECT_PROFILE, VBGPD_OBJECT_JOB
@@ -608,8 +612,26 @@ contains
     call model%restore_checkpoint(bytes(:size(bytes)/2), s)
     call model_failed(model, s)
     call profile%to_flatbuffer(scene, s)
-    call say("   profile " // num32(s) // " " // num(size(scene, kind=c_int64_t)))
+    call begin("   profile " // num32(s) // " " // num(size(scene, kind=c_int64_t)))
+    call model%snapshot(bytes, s)
+    call say(" snapshot " // num32(s) // " " // num(size(bytes, kind=c_int64_t)))
   end subroutine step_checkpoint
+
+  subroutine step_memory(context, model)
+    type(vbgpd_context), intent(in) :: context
+    type(vbgpd_model), intent(in) :: model
+    type(vbgpd_log_line) :: line
+    type(vbgpd_memory) :: m
+    character(:), allocatable :: text, ignored
+    integer(c_int32_t) :: s
+    call context%log_next(0_c_int64_t, line, text, s)
+    call begin("   log " // num32(s) // " level " // num32(line%level) // " sequence " // num(line%sequence) // ": " // text)
+    call context%log_next(4000_c_int64_t, line, ignored, s)
+    call say(" then " // num32(s))
+    call model%memory(m, s)
+    call say("   memory " // num32(s) // " " // num(m%bytes) // " " // num(m%model) // " " // num(m%state) // " " // &
+             num(m%scratch) // " " // num(m%copies) // " " // num(m%outside) // " " // num(m%saved))
+  end subroutine step_memory
 
   subroutine step_coupling(context, profile)
     type(vbgpd_context), intent(in) :: context
@@ -669,6 +691,7 @@ program transcript
   call say_numbers(model, [character(10) :: "particles", "bonds", "area", "height", "total_mass", "spacing_x", &
                            "spacing_y"])
   call say_hash(model)
+  call step_memory(context, model)
   call step_equilibrium(model)
   call step_fields(model)
   call step_dynamics(model)

@@ -6,7 +6,7 @@ import sys
 import numpy
 
 import vbgpd
-from vbgpd import Kind, Location, _raw
+from vbgpd import Kind, Location, Status, _raw
 
 library = vbgpd.Library.load(sys.argv[1])
 OUTLINE = numpy.array([[0, 0], [40, 0], [40, 5], [25, 5], [15, 15], [0, 15]], dtype=float)
@@ -45,6 +45,8 @@ def failure(call, *arguments):
 
 def tables():
     print(f"01 version {vbgpd.version_number(library)} {library.c.vbgpd_abi_version()} {vbgpd.version(library)}")
+    built = vbgpd.build_info("compiler", library)
+    print(f"   built 0 {len(built)} {built}")
     print("02 status", *(vbgpd.status_name(status, library) for status in (-11, 3, 12345)))
     for kind in range(Kind.PROFILE, Kind.JOB + 1):
         listed = vbgpd.properties(kind, library)
@@ -249,7 +251,7 @@ def checkpoint(context, profile, model):
     model.restore_checkpoint(data)
     print(f"   back 0 hash {model.state_hash:016X}")
     print("   cut short:", failure(model.restore_checkpoint, data[:len(data) // 2]))
-    print(f"   profile 0 {len(profile.to_flatbuffer())}")
+    print(f"   profile 0 {len(profile.to_flatbuffer())} snapshot 0 {len(model.snapshot())}")
 
 
 def coupling(context, profile):
@@ -261,6 +263,13 @@ def coupling(context, profile):
         outside(model)
         events(model)
         checkpoint(context, profile, model)
+
+
+def memory(context, model):
+    line = context.log()[0]
+    print(f"   log 0 level {line.level} sequence {line.sequence}: {line.text} then {Status.END_OF_DATA:d}")
+    m = model.memory()
+    print("   memory 0", m.bytes, m.model, m.state, m.scratch, m.copies, m.outside, m.saved)
 
 
 def endings(context, profile, model, job):
@@ -286,6 +295,7 @@ edit(context, profile)
 model = vbgpd.Model(context, profile)
 print("15 model 0", numbers(model, "particles", "bonds", "area", "height", "total_mass", "spacing_x", "spacing_y"),
       f"hash {model.state_hash:016X}")
+memory(context, model)
 equilibrium(model)
 read_fields(model)
 dynamics(model)

@@ -128,6 +128,11 @@ static void limits_hold_for_checkpoints(const unsigned char* bytes, int64_t size
   CHECK_OK(vbgpd_context_create(&desc, &context));
   CHECK_STATUS(VBGPD_E_LIMIT, vbgpd_model_create_from_checkpoint(context, bytes, size, &made));
   CHECK_OK(vbgpd_context_destroy(context));
+  desc.max_particles = 0, desc.max_bytes = 10000;
+  CHECK_OK(vbgpd_context_create(&desc, &context));
+  CHECK_STATUS(VBGPD_E_LIMIT, vbgpd_model_create_from_checkpoint(context, bytes, size, &made));
+  CHECK(made == NULL);
+  CHECK_OK(vbgpd_context_destroy(context));
 }
 
 static void profiles_come_back_from_their_bytes(vbgpd_context* context) {

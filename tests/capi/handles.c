@@ -20,11 +20,14 @@ static vbgpd_trial trial;
 static vbgpd_level level;
 static vbgpd_view view;
 static vbgpd_event event;
+static vbgpd_log_line line;
+static vbgpd_memory memory;
 
 /* kind of handle, function, arguments with `h` as the handle */
 #define FUNCTIONS_OF_HANDLES(X)                                                                  \
   X(CONTEXT, vbgpd_context_error, (h, &info, text, 8, &n))                                       \
   X(CONTEXT, vbgpd_context_destroy, (h))                                                         \
+  X(CONTEXT, vbgpd_context_log_next, (h, 0, &line, text, 8, &n))                                 \
   X(CONTEXT, vbgpd_profile_create, (h, (vbgpd_profile**)&out))                                   \
   X(CONTEXT, vbgpd_profile_create_from_flatbuffer, (h, "VBGP", 4, (vbgpd_profile**)&out))        \
   X(CONTEXT, vbgpd_model_create_from_checkpoint, (h, "VBGC", 4, (vbgpd_model**)&out))            \
@@ -51,6 +54,7 @@ static vbgpd_event event;
   X(MODEL, vbgpd_model_get_f64, (h, "time", 4, &value))                                          \
   X(MODEL, vbgpd_model_step, (h, 1, &advance))                                                   \
   X(MODEL, vbgpd_model_plan, (h, 0, &feature))                                                   \
+  X(MODEL, vbgpd_model_memory, (h, &memory))                                                     \
   X(MODEL, vbgpd_model_cancel, (h))                                                              \
   X(MODEL, vbgpd_job_create_equilibrium, (h, (vbgpd_job**)&out))                                 \
   X(MODEL, vbgpd_job_create_strength_reduction, (h, (vbgpd_job**)&out))                          \
@@ -67,6 +71,7 @@ static vbgpd_event event;
   X(MODEL, vbgpd_model_restore_state, (h, good_state))                                           \
   X(MODEL, vbgpd_model_checkpoint, (h, text, 0, &n))                                             \
   X(MODEL, vbgpd_model_restore_checkpoint, (h, text, 8))                                         \
+  X(MODEL, vbgpd_model_snapshot, (h, text, 0, &n))                                               \
   X(MODEL, vbgpd_model_select, (h, NULL, &id, 8, 1, &n))                                         \
   X(MODEL, vbgpd_model_read_selected_f64, (h, 0, NULL, xy, 0, 0, 1, &n))                         \
   X(MODEL, vbgpd_model_read_selected_i64, (h, 0, NULL, &id, 0, 0, 1, &n))                        \
@@ -95,17 +100,18 @@ static vbgpd_event event;
   X(JOB, vbgpd_job_slip_surface, (h, xy, 16, 1, &n))
 
 /* functions without a handle; they must work, not fail */
-#define FUNCTIONS_WITHOUT(X)                                                                         \
-  X(vbgpd_version_number, (vbgpd_version_number() == VBGPD_VERSION_NUMBER))                          \
-  X(vbgpd_abi_version, (vbgpd_abi_version() == VBGPD_ABI_VERSION))                                   \
-  X(vbgpd_version_string, (vbgpd_version_string()[0] != 0))                                          \
-  X(vbgpd_status_name, (vbgpd_status_name(VBGPD_E_HANDLE)[0] != 0))                                  \
-  X(vbgpd_context_desc_init, (vbgpd_context_desc_init(NULL, 8) == VBGPD_E_ARGUMENT))                 \
-  X(vbgpd_context_create, (vbgpd_context_create(NULL, NULL) == VBGPD_E_ARGUMENT))                    \
-  X(vbgpd_property_count, (vbgpd_property_count(VBGPD_OBJECT_JOB, &n) == VBGPD_OK))                  \
-  X(vbgpd_property_info_at, (vbgpd_property_info_at(VBGPD_OBJECT_JOB, 0, NULL) == VBGPD_E_ARGUMENT)) \
-  X(vbgpd_field_count, (vbgpd_field_count(&n) == VBGPD_OK))                                          \
-  X(vbgpd_field_info_at, (vbgpd_field_info_at(0, NULL) == VBGPD_E_ARGUMENT))                         \
+#define FUNCTIONS_WITHOUT(X)                                                                                 \
+  X(vbgpd_version_number, (vbgpd_version_number() == VBGPD_VERSION_NUMBER))                                  \
+  X(vbgpd_abi_version, (vbgpd_abi_version() == VBGPD_ABI_VERSION))                                           \
+  X(vbgpd_version_string, (vbgpd_version_string()[0] != 0))                                                  \
+  X(vbgpd_status_name, (vbgpd_status_name(VBGPD_E_HANDLE)[0] != 0))                                          \
+  X(vbgpd_build_info, (vbgpd_build_info("no such fact", VBGPD_STRLEN, text, 8, &n) == VBGPD_E_UNKNOWN_NAME)) \
+  X(vbgpd_context_desc_init, (vbgpd_context_desc_init(NULL, 8) == VBGPD_E_ARGUMENT))                         \
+  X(vbgpd_context_create, (vbgpd_context_create(NULL, NULL) == VBGPD_E_ARGUMENT))                            \
+  X(vbgpd_property_count, (vbgpd_property_count(VBGPD_OBJECT_JOB, &n) == VBGPD_OK))                          \
+  X(vbgpd_property_info_at, (vbgpd_property_info_at(VBGPD_OBJECT_JOB, 0, NULL) == VBGPD_E_ARGUMENT))         \
+  X(vbgpd_field_count, (vbgpd_field_count(&n) == VBGPD_OK))                                                  \
+  X(vbgpd_field_info_at, (vbgpd_field_info_at(0, NULL) == VBGPD_E_ARGUMENT))                                 \
   X(vbgpd_field_find, (vbgpd_field_find("no such field", VBGPD_STRLEN, &field) == VBGPD_E_UNKNOWN_NAME))
 
 static vbgpd_profile* good_profile;

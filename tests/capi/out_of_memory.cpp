@@ -93,6 +93,43 @@ void survives(
   CHECK(alive <= alive_before + 4);
 }
 
+/// A job that runs out of memory under way is over and says so again, one that did not get to begin may begin again;
+/// the model works on, and nothing of the job stays behind.
+void job_survives(const char* name, vbgpd_status (*make)(vbgpd_model*, vbgpd_job**)) {
+  const Fingerprint before = fingerprint();
+  std::int64_t alive_before = -1, places = 0;
+  for (std::int64_t n = 0;; n += 1 + n / 8, ++places) {
+    vbgpd_job* job = nullptr;
+    CHECK_OK(make(model, &job));
+    allocations = 0, fail_at = n;
+    const vbgpd_status s = vbgpd_job_run(job, 0, nullptr, nullptr, nullptr);
+    fail_at = -1;
+    if (s < 0) {
+      CHECK_STATUS(VBGPD_E_MEMORY, s);
+      const vbgpd_status again = vbgpd_job_run(job, 0, nullptr, nullptr, nullptr);
+      CHECK(again == VBGPD_E_MEMORY || (again >= 0 && n < 3));
+      CHECK_OK(vbgpd_job_error(job, nullptr, nullptr, 0, nullptr));
+    }
+    CHECK_OK(vbgpd_job_destroy(job));
+    CHECK_OK(vbgpd_model_step(model, 1, nullptr));
+    CHECK_OK(vbgpd_model_restore_state(model, state));
+    CHECK(fingerprint() == before);
+    if (s >= 0) break;
+  }
+  std::printf("%-40s survived failures at %lld places\n", name, static_cast<long long>(places));
+  for (int k = 0; k < 2; ++k) {  // what the model keeps for jobs is made by now
+    vbgpd_job* job = nullptr;
+    CHECK_OK(make(model, &job));
+    allocations = 0, fail_at = 5;
+    CHECK_STATUS(VBGPD_E_MEMORY, vbgpd_job_run(job, 0, nullptr, nullptr, nullptr));
+    fail_at = -1;
+    CHECK_OK(vbgpd_job_destroy(job));
+    CHECK_OK(vbgpd_model_restore_state(model, state));
+    if (k > 0) CHECK(alive <= alive_before);
+    alive_before = alive;
+  }
+}
+
 std::int32_t field(const char* name) {
   std::int32_t f = -1;
   CHECK_OK(vbgpd_field_find(name, VBGPD_STRLEN, &f));
@@ -188,6 +225,11 @@ int main() {
         CHECK_OK(vbgpd_job_destroy(job));
         job = nullptr;
       });
+  survives("model_snapshot", [&] { return vbgpd_model_snapshot(model, bytes, sizeof bytes, &size); });
+  survives("build_info",
+           [&] { return vbgpd_build_info(nullptr, 0, reinterpret_cast<char*>(bytes), sizeof bytes, &size); });
+  job_survives("job_run of an equilibrium", vbgpd_job_create_equilibrium);
+  job_survives("job_run of a strength reduction", vbgpd_job_create_strength_reduction);
   CHECK_OK(vbgpd_state_destroy(state));
   CHECK_OK(vbgpd_model_destroy(model));
   CHECK_OK(vbgpd_profile_destroy(profile));

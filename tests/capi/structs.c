@@ -1,4 +1,6 @@
 /* R9: structs of older and newer callers are filled as far as they go and not one byte further. */
+#include <stddef.h>
+
 #include "slope.h"
 
 enum { room = 512, guard = 0x5a };
@@ -20,6 +22,28 @@ static vbgpd_status fill_progress(void* s) { return vbgpd_job_run(job, 0, NULL, 
 static vbgpd_status fill_trial(void* s) { return vbgpd_job_trial(job, 0, (vbgpd_trial*)s); }
 static vbgpd_status fill_feature(void* s) { return vbgpd_model_plan(model, 0, (vbgpd_feature*)s); }
 static vbgpd_status fill_level(void* s) { return vbgpd_job_level(job, 0, (vbgpd_level*)s); }
+
+static vbgpd_status fill_memory(void* s) { return vbgpd_model_memory(model, (vbgpd_memory*)s); }
+static vbgpd_status fill_log_line(void* s) {
+  return vbgpd_context_log_next(context, 0, (vbgpd_log_line*)s, NULL, 0, NULL);
+}
+static vbgpd_status fill_event(void* s) {
+  return vbgpd_model_events_read(model, 0, (vbgpd_event*)s, room, 1, NULL, NULL);
+}
+/* Every view is another lease: that member is taken out of the comparison. */
+static vbgpd_status fill_view(void* s) {
+  vbgpd_view whole = {sizeof whole, 0, NULL, 0, 0, 0, 0, 0, 0};
+  uint32_t size;
+  vbgpd_status status;
+  memcpy(&size, s, sizeof size);
+  status = vbgpd_model_view_acquire(model, 2, (vbgpd_view*)s);
+  if (status != VBGPD_OK) return status;
+  CHECK_OK(vbgpd_model_view_acquire(model, 2, &whole));
+  CHECK_OK(vbgpd_model_view_release(model, whole.lease));
+  CHECK_OK(vbgpd_model_view_release(model, whole.lease - 1));
+  if (size >= sizeof whole) memset((char*)s + offsetof(vbgpd_view, lease), 0, sizeof whole.lease);
+  return status;
+}
 
 static void put_size(unsigned char* bytes, uint32_t size) {
   memset(bytes, guard, room);
@@ -66,7 +90,7 @@ static void short_context_desc(void) {
   CHECK_OK(vbgpd_context_create(&desc, &made));
   CHECK_OK(vbgpd_context_destroy(made));
   CHECK_OK(vbgpd_context_desc_init(&desc, sizeof desc));
-  CHECK(desc.reserved == 0 && desc.max_particles == 0);
+  CHECK(desc.reserved == 0 && desc.max_particles == 0 && desc.max_bytes == 0);
   desc.struct_size = sizeof desc + 16; /* a newer caller; the library reads what it knows */
   CHECK_OK(vbgpd_context_create(&desc, &made));
   CHECK_OK(vbgpd_context_destroy(made));
@@ -88,6 +112,9 @@ static void wrong_context_desc(void) {
   desc.max_particles = -5;
   CHECK_STATUS(VBGPD_E_RANGE, vbgpd_context_create(&desc, &made));
   desc.max_particles = 0;
+  desc.max_bytes = -1;
+  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_context_create(&desc, &made));
+  desc.max_bytes = 0;
   desc.reserved = 1;
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_context_create(&desc, &made));
   CHECK(made == NULL);
@@ -124,6 +151,10 @@ int main(void) {
   check_struct(fill_trial, sizeof(vbgpd_trial));
   check_struct(fill_level, sizeof(vbgpd_level));
   check_struct(fill_feature, sizeof(vbgpd_feature));
+  check_struct(fill_memory, sizeof(vbgpd_memory));
+  check_struct(fill_log_line, sizeof(vbgpd_log_line));
+  check_struct(fill_event, sizeof(vbgpd_event));
+  check_struct(fill_view, sizeof(vbgpd_view));
   short_context_desc();
   wrong_context_desc();
   CHECK_OK(vbgpd_job_destroy(job));

@@ -21,13 +21,13 @@ import numpy
 
 from . import _raw
 from ._arrays import Selection, View, values_in
-from ._engine import (Boundary, Error, Event, FieldInfo, Issue, Kind, Library, Location, Property, Status, Verdict, address,
-                      bytes_from, field, fields, points_from, points_in, properties, raise_failure, status_name,
+from ._engine import (Boundary, Error, Event, FieldInfo, Issue, Kind, Library, Location, LogLevel, LogLine, Property, Status, Verdict, address,
+                      build_info, bytes_from, field, fields, points_from, points_in, properties, raise_failure, status_name,
                       text_from, version, version_number)
 
-__all__ = ["Boundary", "Context", "Error", "Event", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "Model",
-           "Profile", "Property", "Selection", "State", "Status", "Verdict", "View", "field", "fields", "properties",
-           "status_name", "version", "version_number"]
+__all__ = ["Boundary", "Context", "Error", "Event", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "LogLevel", "LogLine",
+           "Model", "Profile", "Property", "Selection", "State", "Status", "Verdict", "View", "build_info", "field",
+           "fields", "properties", "status_name", "version", "version_number"]
 
 
 class _Object:
@@ -97,18 +97,27 @@ class _Object:
 class Context(_Object):
     """Threads and limits of the models made in it.
 
-    threads: workers per model, 0 = all cores; results do not depend on it. max_particles: 0 = no limit.
+    threads: workers per model, 0 = all cores; results do not depend on it. max_particles, max_bytes (of one model): 0 = no
+    limit.
     library: path of libvbgpd.so.1; by default that beside this package, or the system's.
     """
 
     _name = "context"
 
-    def __init__(self, threads=1, max_particles=0, library=None):
+    def __init__(self, threads=1, max_particles=0, library=None, max_bytes=0):
         loaded = Library.load(library)
         desc = _raw.vbgpd_context_desc()
         raise_failure(loaded.c.vbgpd_context_desc_init(ctypes.byref(desc), ctypes.sizeof(desc)))
-        desc.threads, desc.max_particles = threads, max_particles
+        desc.threads, desc.max_particles, desc.max_bytes = threads, max_particles, max_bytes
         super().__init__(loaded, "vbgpd_context_create", ctypes.byref(desc))
+
+    def log(self, after=0):
+        """What the engine had to say, oldest first: a list of LogLine with a sequence above `after`."""
+        lines, record, text = [], _raw.vbgpd_log_line(), ctypes.create_string_buffer(248)
+        while self._call("log_next", after, ctypes.byref(record), text, len(text), None) != Status.END_OF_DATA:
+            after = record.sequence
+            lines.append(LogLine(LogLevel(record.level), after, record.seconds, text.value.decode()))
+        return lines
 
 
 class Profile(_Object):
@@ -289,6 +298,10 @@ class Model(_Object):
         """Takes a model of the same profile back to a checkpoint."""
         self._call("restore_checkpoint", bytes(data), len(data))
 
+    def snapshot(self):
+        """What can be seen of the model, as the bytes of a flatbuffer (snapshot.fbs) for other programs."""
+        return bytes_from(lambda *buffer: self._call("snapshot", *buffer))
+
     def item_count(self, location):
         """How many particles or bonds there are."""
         n = ctypes.c_int64()
@@ -341,6 +354,12 @@ class Model(_Object):
     def plan(self):
         """Every feature of the engine, used or left out, and its bytes: records with the members of vbgpd_feature."""
         return self._records("plan", _raw.vbgpd_feature)
+
+    def memory(self):
+        """The bytes of the model by what they are for: a record with the members of vbgpd_memory."""
+        record = _raw.vbgpd_memory()
+        self._call("memory", ctypes.byref(record))
+        return record
 
     def _sampled(self, function, name, shape, *places):
         info = field(name, self._library)

@@ -26,12 +26,16 @@ Verdict = enum.IntEnum("Verdict", _members("VBGPD_VERDICT_"))
 Verdict.__doc__ = "What a trial showed."
 Event = enum.IntEnum("Event", _members("VBGPD_EVENT_"))
 Event.__doc__ = "What happened to a model."
+LogLevel = enum.IntEnum("LogLevel", _members("VBGPD_LOG_"))
+LogLevel.__doc__ = "How much a line of the log matters."
 Location = enum.IntEnum("Location", _members("VBGPD_AT_"))
 Location.__doc__ = "Where a field lives."
 
 Property = namedtuple("Property", "name unit doc required default minimum maximum minimum_open maximum_open")
 Property.__doc__ = "A named number; default is None when absent, a bound that is open is itself not allowed."
 FieldInfo = namedtuple("FieldInfo", "name unit doc location components dtype index writable")
+LogLine = namedtuple("LogLine", "level sequence seconds text")
+LogLine.__doc__ = "A line of the log; seconds since the context was created. A gap in sequence: lines kept no longer."
 FieldInfo.__doc__ = "An output field; unit in UDUNITS form, dtype float64 or int64."
 
 _UNRECORDED = {
@@ -194,6 +198,13 @@ def version_number(library=None):
 def status_name(status, library=None):
     """'VBGPD_E_RANGE' of -11."""
     return Library.load(library).c.vbgpd_status_name(status).decode()
+
+
+def build_info(key=None, library=None):
+    """A fact of the library, e.g. build_info("compiler"); without a key all of them as a dict."""
+    c, name = Library.load(library).c, (key or "").encode()
+    text = text_from(lambda *buffer: raise_failure(c.vbgpd_build_info(name, len(name), *buffer)))
+    return text if key else dict(line.split(" = ", 1) for line in text.splitlines())
 
 
 def properties(kind, library=None):

@@ -41,6 +41,9 @@ VBGPD_OBJECT_BOUNDARY = 6
 VBGPD_OBJECT_MODEL = 7
 VBGPD_OBJECT_JOB = 8
 VBGPD_OBJECT_STATE = 9
+VBGPD_LOG_WARNING = 1
+VBGPD_LOG_INFO = 2
+VBGPD_LOG_DETAIL = 3
 VBGPD_BOUNDARY_FREE = 0
 VBGPD_BOUNDARY_FIXED = 1
 VBGPD_BOUNDARY_ROLLER = 2
@@ -115,6 +118,16 @@ class vbgpd_context_desc(Record):
         ("threads", c_int32),
         ("reserved", c_int32),
         ("max_particles", c_int64),
+        ("max_bytes", c_int64),
+    ]
+
+
+class vbgpd_log_line(Record):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("level", c_int32),
+        ("sequence", c_int64),
+        ("seconds", c_double),
     ]
 
 
@@ -142,6 +155,20 @@ class vbgpd_feature(Record):
         ("bytes", c_int64),
         ("bytes_per_particle", c_double),
         ("bytes_per_bond", c_double),
+    ]
+
+
+class vbgpd_memory(Record):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_int32),
+        ("bytes", c_int64),
+        ("model", c_int64),
+        ("state", c_int64),
+        ("scratch", c_int64),
+        ("copies", c_int64),
+        ("outside", c_int64),
+        ("saved", c_int64),
     ]
 
 
@@ -285,6 +312,7 @@ FUNCTIONS = {
     "vbgpd_version_string": (c_char_p, ()),
     # status
     "vbgpd_status_name": (c_char_p, (c_int32,)),
+    "vbgpd_build_info": (c_int32, (c_char_p, c_int64, POINTER(c_char), c_int64, POINTER(c_int64))),
     "vbgpd_context_error": (
         c_int32, (vbgpd_context, POINTER(vbgpd_error_info), POINTER(c_char), c_int64, POINTER(c_int64))),
     "vbgpd_profile_error": (
@@ -296,6 +324,9 @@ FUNCTIONS = {
     "vbgpd_context_desc_init": (c_int32, (POINTER(vbgpd_context_desc), c_uint32)),
     "vbgpd_context_create": (c_int32, (POINTER(vbgpd_context_desc), POINTER(vbgpd_context))),
     "vbgpd_context_destroy": (c_int32, (vbgpd_context,)),
+    # log
+    "vbgpd_context_log_next": (
+        c_int32, (vbgpd_context, c_int64, POINTER(vbgpd_log_line), POINTER(c_char), c_int64, POINTER(c_int64))),
     # the named numbers describe themselves
     "vbgpd_property_count": (c_int32, (c_int32, POINTER(c_int64))),
     "vbgpd_property_info_at": (c_int32, (c_int32, c_int64, POINTER(vbgpd_property_info))),
@@ -328,6 +359,7 @@ FUNCTIONS = {
     "vbgpd_model_set_f64": (c_int32, (vbgpd_model, c_char_p, c_int64, c_double)),
     "vbgpd_model_get_f64": (c_int32, (vbgpd_model, c_char_p, c_int64, POINTER(c_double))),
     "vbgpd_model_plan": (c_int32, (vbgpd_model, c_int64, POINTER(vbgpd_feature))),
+    "vbgpd_model_memory": (c_int32, (vbgpd_model, POINTER(vbgpd_memory))),
     "vbgpd_model_step": (c_int32, (vbgpd_model, c_int64, POINTER(vbgpd_advance_result))),
     "vbgpd_model_cancel": (c_int32, (vbgpd_model,)),
     "vbgpd_model_advance_to": (
@@ -340,6 +372,7 @@ FUNCTIONS = {
     "vbgpd_model_checkpoint": (c_int32, (vbgpd_model, c_void_p, c_int64, POINTER(c_int64))),
     "vbgpd_model_create_from_checkpoint": (c_int32, (vbgpd_context, c_void_p, c_int64, POINTER(vbgpd_model))),
     "vbgpd_model_restore_checkpoint": (c_int32, (vbgpd_model, c_void_p, c_int64)),
+    "vbgpd_model_snapshot": (c_int32, (vbgpd_model, c_void_p, c_int64, POINTER(c_int64))),
     # run-out
     "vbgpd_model_create_runout": (c_int32, (vbgpd_model, POINTER(vbgpd_model))),
     "vbgpd_job_create_runout": (c_int32, (vbgpd_model, POINTER(vbgpd_job))),

@@ -63,7 +63,7 @@ typedef int32_t vbgpd_status;
 #define VBGPD_E_ARGUMENT -1
 #define VBGPD_E_HANDLE -2
 #define VBGPD_E_MEMORY -3
-#define VBGPD_E_LIMIT -4 /* max_particles of the context */
+#define VBGPD_E_LIMIT -4 /* max_particles or max_bytes of the context */
 #define VBGPD_E_BUSY -5  /* another thread is inside this object */
 #define VBGPD_E_LEASED -6 /* a view of this model is still held: release it first */
 #define VBGPD_E_REENTRANT -7
@@ -78,6 +78,9 @@ typedef int32_t vbgpd_status;
 #define VBGPD_E_UNSUPPORTED -17
 #define VBGPD_E_INTERNAL -99
 VBGPD_API const char* VBGPD_CALL vbgpd_status_name(vbgpd_status s); /* [any-thread] static text, "VBGPD_E_RANGE" */
+/* version, abi_version, compiler, build_type, cgal, flatbuffers (yes, no), instruction_sets (built, best first), instruction_set (used
+ * here), instruction_set_runout, cores, checkpoint_format, snapshot_format; key_len 0 = all, lines of "key = value". [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_build_info(const char* key, int64_t key_len, char* buf, int64_t cap, int64_t* needed);
 
 typedef struct vbgpd_context vbgpd_context; /* threads, limits; cheap; no process globals */
 typedef struct vbgpd_profile vbgpd_profile; /* slope profile: polygons, materials, loads, supports */
@@ -119,10 +122,27 @@ typedef struct vbgpd_context_desc {
   int32_t threads;       /* workers per model; 0 = all cores, 1 = none (default). Results do not depend on it */
   int32_t reserved;      /* 0 */
   int64_t max_particles; /* model creation beyond it gives VBGPD_E_LIMIT; 0 = no limit (default) */
+  int64_t max_bytes;     /* a model predicted to have more once it was stepped, relaxed and read (saved states not counted), or a run-out
+                          * that has more: VBGPD_E_LIMIT, a spacing that would fit in the text; 0 = no limit (default) */
 } vbgpd_context_desc;
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_desc_init(vbgpd_context_desc* d, uint32_t struct_size);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_create(const vbgpd_context_desc* d, vbgpd_context** out); /* d NULL = defaults */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_destroy(vbgpd_context*);
+
+/* ---- log: what the engine has to say; it never prints ------------------------------------------------------ */
+/* A context keeps the last 256 lines of its models and their jobs, to be polled. Failures of calls are in the error records. */
+#define VBGPD_LOG_WARNING 1 /* an answer may be worth less than it looks: warnings of the profile, undecided trials, jobs not OK */
+#define VBGPD_LOG_INFO 2    /* models, grids, ends of jobs */
+#define VBGPD_LOG_DETAIL 3  /* phases and trials of jobs */
+typedef struct vbgpd_log_line {
+  uint32_t struct_size;
+  int32_t level;    /* VBGPD_LOG_* */
+  int64_t sequence; /* counts from 1; a gap between two lines: those are kept no longer */
+  double seconds;   /* since the context was created */
+} vbgpd_log_line;
+/* The oldest line kept with a sequence above after (0 = of all); VBGPD_END_OF_DATA when there is none. Reading takes nothing away.
+ * line and text may be NULL. No text is longer than 247 bytes, so that 248 always hold one and its NUL. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_log_next(vbgpd_context*, int64_t after, vbgpd_log_line* line, char* text, int64_t cap, int64_t* needed);
 
 /* ---- the named numbers describe themselves ---------------------------------------------------------------- */
 typedef struct vbgpd_property_info {
@@ -203,6 +223,18 @@ typedef struct vbgpd_feature {
   double bytes_per_bond;     /* its arrays over the bonds, per bond; 0 without bonds */
 } vbgpd_feature;
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_plan(const vbgpd_model*, int64_t i, vbgpd_feature* f); /* END_OF_DATA past the last */
+typedef struct vbgpd_memory { /* the same bytes by what they are for */
+  uint32_t struct_size;
+  int32_t reserved;
+  int64_t bytes;   /* the model's "bytes": the sum of the five that follow */
+  int64_t model;   /* geometry, neighbours, operators, masses: never changes */
+  int64_t state;   /* what changes: displacements, velocities, plastic strains */
+  int64_t scratch; /* what a step writes before it reads it */
+  int64_t copies;  /* of the state, for fields, monitors, views and the audit of energy */
+  int64_t outside; /* forces and pore pressures written by the host */
+  int64_t saved;   /* not in bytes: states saved from this model that are alive, those of its jobs included */
+} vbgpd_memory;
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_memory(const vbgpd_model*, vbgpd_memory* m);
 
 typedef struct vbgpd_progress {
   uint32_t struct_size;
@@ -261,6 +293,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_checkpoint(const vbgpd_model*, voi
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_from_checkpoint(vbgpd_context*, const void* bytes, int64_t len, vbgpd_model** out);
 /* Takes a model of the same profile back to a checkpoint; VBGPD_E_FORMAT when it is of another section. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_restore_checkpoint(vbgpd_model*, const void* bytes, int64_t len);
+/* What can be seen of the model, for other programs: a flatbuffer (core/exchange/snapshot.fbs, file identifier "VBGS") with positions,
+ * displacements, velocities, stresses ... by particle id; buf as _checkpoint. VBGPD_E_UNSUPPORTED in a build without flatbuffers. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_snapshot(const vbgpd_model*, void* buf, int64_t cap, int64_t* needed);
 
 /* ---- run-out: large motion, from the first plastic bonds to rest ------------------------------------------------ */
 /* A new model that goes on from the present state of `from` (positions, stresses, plastic strain, strength reduction factor;
@@ -293,7 +328,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_strength_reduction(vbgpd_mode
  * grids depend on the machine; each grid is the same everywhere. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_set_f64(vbgpd_job*, const char* name, int64_t len, double value);
 /* VBGPD_OK = finished; LIMIT_REACHED or CANCELLED = call again; NOT_CONVERGED, UNSTABLE = finished with that outcome.
- * wall_seconds <= 0: no limit. fn may be NULL; it is called at most about ten times a second. p may be NULL. */
+ * wall_seconds <= 0: no limit. fn may be NULL; it is called at most about ten times a second. p may be NULL.
+ * VBGPD_E_MEMORY: a job under way is over and says so at every further call; the model stands where the job was. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_run(vbgpd_job*, double wall_seconds, vbgpd_progress_fn fn, void* user, vbgpd_progress* p);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] [signal-safe] */
 /* After it finished: factor_of_safety, srf_stable, srf_unstable, error_estimate, displacement_level, sliding_area,
@@ -302,7 +338,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] 
  * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_f64(const vbgpd_job*, const char* name, int64_t len, double* value);
 /* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER: the value of the finest grid
- * is given as it is; TARGET_NOT_MET; DIVERGED), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
+ * is given as it is; TARGET_NOT_MET; DIVERGED; NO_MEMORY), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 
 /* One strength reduction factor that was tried, with its evidence. */

@@ -1,0 +1,99 @@
+#include "simulation/memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "bond/bond_law.h"
+#include "geometry/polygon.h"
+#include "scene/wording.h"
+#include "simulation/build_model.h"
+#include "state/records.h"
+
+namespace vbgpd {
+
+namespace {
+
+/// What a scene stores per storage place and per bond record; the places are particles and padding.
+struct Shape {
+  bool bonded, plastic = false, volumetric = false, gradient = false;
+};
+
+Shape shape_of(const SceneDef& scene) {
+  Shape s{*bond_law_by_name(scene.bond) != BondLaw::kNone};
+  for (const MaterialDef& m : scene.materials) {
+    if (m.law == "elastic") continue;
+    s.plastic = true;
+    s.volumetric |= m.friction_angle > 0 || !std::isnan(m.tension_cutoff);
+    s.gradient |= m.cohesion_gradient > 0;
+  }
+  return s;
+}
+
+/// Places of a lattice: cells of soil, walls along three sides of the box, and two packs of padding per column.
+struct Places {
+  double soil, walls, columns;
+};
+
+Places places_of(const SceneDef& scene, const Lattice& lattice) {
+  const Polygon outline = counter_clockwise(scene.exterior);
+  const Vec2 cells = box_of(outline).size().cwiseQuotient(lattice.spacing);
+  const double reach = support_reach(scene);
+  Places p;
+  p.soil = signed_area(local(outline, lattice.origin)) / lattice.spacing.prod();
+  p.walls = reach * (cells.x() + 2 * cells.y() + 2 * reach);
+  p.columns = std::max(cells.x(), cells.y()) + 2 * reach;
+  return p;
+}
+
+/// Lattice offsets within the support, one of each pair.
+double forward_offsets(const SceneDef& scene, const Lattice& lattice) {
+  const double support = 2 * scene.smoothing_ratio * std::sqrt(lattice.spacing.prod());
+  const int reach = static_cast<int>(std::ceil(support / lattice.spacing.minCoeff()));
+  int inside = 0;
+  for (int a = -reach; a <= reach; ++a)
+    for (int b = -reach; b <= reach; ++b)
+      inside += std::hypot(a * lattice.spacing.x(), b * lattice.spacing.y()) < support ? 1 : 0;
+  return (inside - 1) / 2;
+}
+
+Lattice wider(Lattice lattice, double factor) {
+  lattice.spacing *= factor;
+  return lattice;
+}
+
+}  // namespace
+
+double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width) {
+  const Shape shape = shape_of(scene);
+  const Places places = places_of(scene, lattice);
+  const double particles = places.soil + places.walls, blocks = particles / width + places.columns;
+  const double storage = particles + 2 * width * places.columns;
+  const double offsets = forward_offsets(scene, lattice), packs = blocks * (shape.bonded ? offsets : 1);
+  constexpr double kCopies = 3;  // the state, that of the monitors and that of the energy audit
+  const double state = 4 + (shape.volumetric ? 1 : 0) + (shape.plastic && !shape.bonded ? 3 : 0);
+  const double model = 13 + (shape.gradient ? 1 : 0);
+  const double scratch = 11 + 5 + (shape.bonded ? 2 : 0) + (shape.volumetric ? 2 : 0);
+  const double record = shape.plastic && shape.bonded ? 3.0 * width * sizeof(double) : 0;
+  return storage * (sizeof(double) * (model + scratch + kCopies * state) + 2 * sizeof(std::int32_t)) +
+         particles * (sizeof(Seed) + 2 * sizeof(std::int32_t)) + blocks * sizeof(Block) +
+         2 * offsets * blocks * sizeof(NeighbourPack) + packs * (sizeof(BondPack) + kCopies * record);
+}
+
+void require_bytes(const SceneDef& scene, const Lattice& lattice, int width, std::int64_t max_bytes) {
+  if (max_bytes <= 0) return;
+  const double needed = predicted_bytes(scene, lattice, width), most = static_cast<double>(max_bytes);
+  if (needed <= most) return;
+  constexpr double kWider = 1.02, kWidest = 1e4;
+  double factor = kWider;
+  while (factor < kWidest && predicted_bytes(scene, wider(lattice, factor), width) > most) factor *= kWider;
+  Issue issue{.status = Status::kLimit, .object = ObjectKind::kContext, .value = std::ceil(needed), .text = {}};
+  issue.text = "spacings of " + number_text(lattice.spacing.x()) + " m and " + number_text(lattice.spacing.y()) +
+               " m need about " + number_text(std::ceil(needed), 12) + " bytes, more than the " +
+               std::to_string(max_bytes) + " allowed: ";
+  const double fits = std::sqrt(lattice.spacing.prod()) * factor;
+  issue.text += factor < kWidest ? "a spacing of " + number_text(fits, 3) + " m would fit" : "no spacing would fit";
+  throw Error(issue);
+}
+
+}  // namespace vbgpd
