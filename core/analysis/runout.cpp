@@ -22,7 +22,7 @@ class RunoutJob final : public SliceJob {
 
  private:
   Slices analysis() override {
-    result_.scheme = "VB-GPD: hourglass virtual bonds, updated-Lagrangian";
+    result_.scheme = scheme();
     result_.flow_rule = "non-associated, dilatancy angle 0";
     progress_.strength_reduction_factor = simulation_.get("strength_reduction_factor");
     // the time a body falls through the section's height
@@ -32,6 +32,16 @@ class RunoutJob final : public SliceJob {
       for (Slices s = apply_gravity(20 * fall); s.next();) co_yield Pause{};
     if (outcome_ == Status::kDiverged) co_return;
     for (Slices s = run_out(fall); s.next();) co_yield Pause{};
+  }
+
+  const char* scheme() const {
+    const std::string& bond = simulation_.scene().bond;
+    if (bond == "none") return "corrected SPH, no bonds, updated-Lagrangian";
+    if (bond == "sph") return "plain SPH (Libersky & Petschek 1991), artificial viscosity";
+    if (bond == "sph_artificial_stress") return "plain SPH with artificial stress (Gray, Monaghan & Swift 2001)";
+    if (bond == "pseudo_spring") return "pseudo-spring SPH (Chakraborty & Shaw 2013)";
+    if (bond == "gpd") return "general particle dynamics: plain SPH with particles that die (Zhou et al. 2015)";
+    return "VB-GPD: hourglass virtual bonds, updated-Lagrangian";
   }
 
   Real width() const {

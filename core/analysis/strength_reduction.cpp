@@ -285,6 +285,10 @@ class StrengthReductionJob final : public SliceJob {
 
 std::unique_ptr<Job> make_strength_reduction(Simulation& simulation) {
   require_fixed_bonds(simulation, "strength reduction");
+  const std::string& bond = simulation.scene().bond;
+  if (bond != "virtual_bond" && bond != "none")
+    throw Error(Status::kUnsupported, "strength reduction is not offered with bond \"" + bond +
+                                          "\": it exists to be compared with in a run-out; use virtual_bond or none");
   return std::make_unique<StrengthReductionJob>(simulation);
 }
 

@@ -72,7 +72,9 @@ struct SceneDef {
   double kh = 0, kv = 0;   ///< pseudo-static coefficients: extra body force kh*unit_weight in +x, kv*unit_weight in -y
   double gravity = 9.81;   ///< m/s2, turns unit weight into density
   double spacing = kNone;  ///< m between particles, required
-  std::string bond = "virtual_bond";   ///< virtual_bond (VB-S) or none (corrected nodal SPH)
+  /// virtual_bond (VB-S; VB-H in a run-out), none (corrected nodal SPH), or a rival to compare with in a run-out (sph,
+  /// sph_artificial_stress, pseudo_spring, gpd), which acts as none before it.
+  std::string bond = "virtual_bond";
   std::string kernel = "wendland_c2";  ///< wendland_c2 or cubic_spline
   double smoothing_ratio = 1.3;        ///< smoothing length / spacing; the support radius is twice the smoothing length
   StrengthReductionDef strength_reduction;

@@ -13,7 +13,8 @@ namespace vbgpd {
 namespace {
 
 constexpr std::array<std::string_view, 4> kLaws{"elastic", "drucker_prager", "mohr_coulomb", "undrained"};
-constexpr std::array<std::string_view, 2> kBonds{"virtual_bond", "none"};
+constexpr std::array<std::string_view, 6> kBonds{"virtual_bond",          "none",          "sph",
+                                                 "sph_artificial_stress", "pseudo_spring", "gpd"};
 constexpr std::array<std::string_view, 2> kKernels{"wendland_c2", "cubic_spline"};
 constexpr std::array<std::string_view, 3> kSides{"base", "left", "right"};
 constexpr int kPointsReported = 10;  // of one polygon; a file of garbage coordinates needs no million messages

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/outline.h"
+#include "scene/wording.h"
 
 namespace vbgpd {
 
@@ -22,7 +23,13 @@ void add_materials(const SceneDef& scene, FlowModel& m) {
     Strength s;
     s.cohesion = std::isnan(d.cohesion) ? 0 : d.cohesion;
     s.friction_angle = radians(d.friction_angle);
-    if (yields(law)) s.tension_cutoff = std::isnan(d.tension_cutoff) ? 0 : d.tension_cutoff;
+    const bool springs = m.bond == FlowBondLaw::kPseudoSpring;
+    if (springs && d.cohesion_gradient > 0)
+      unsupported(ObjectKind::kMaterial, static_cast<std::int64_t>(m.law.size()),
+                  "material '" + d.name + "': cohesion_gradient = " + number_text(d.cohesion_gradient) +
+                      " Pa/m cannot be had with bond \"pseudo_spring\", whose springs have one strength; leave it out");
+    if (!std::isnan(d.tension_cutoff) && yields(law)) s.tension_cutoff = d.tension_cutoff;
+    else if (yields(law) && !springs) s.tension_cutoff = 0;
     m.law.push_back(law);
     m.strength.push_back(s);
     m.moduli.push_back(derive(Elastic{}, d.young_modulus, d.poisson_ratio, {}));
@@ -99,6 +106,7 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
                 "kernel '" + scene.kernel + "': a run-out knows wendland_c2 only; set the profile's kernel to it");
   FlowModel m;
   m.options = options;
+  m.bond = bond_law_by_name(scene.bond)->in_runout;
   m.origin = from.section().lattice.origin;
   const Vec2 spacing = from.section().lattice.spacing;
   m.spacing = std::sqrt(spacing.prod());
@@ -108,13 +116,19 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
   add_materials(scene, m);
   m.walls = walls_of(from.section(), scene);
   add_particles(from, m);
-  m.viscosity = options.viscosity * std::sqrt(m.gravity * m.height) * options.viscosity_length * m.height;
   Real fastest = 0;
   for (std::size_t id = 0; id < m.material.size(); ++id) {
     const LawConstants& c = m.moduli[static_cast<std::size_t>(m.material[id])];
     const Real wave = c.bulk_modulus + 4 * c.shear_modulus / 3;
     fastest = std::max(fastest, std::sqrt(wave * m.volume[id] / m.mass[id]));
   }
+  if (m.bond == FlowBondLaw::kVirtual || m.bond == FlowBondLaw::kNone)
+    m.viscosity = options.viscosity * std::sqrt(m.gravity * m.height) * options.viscosity_length * m.height;
+  else
+    m.viscosity = (std::any_of(m.law.begin(), m.law.end(), [](const AnyLaw& law) { return yields(law); })
+                       ? options.wave_viscosity
+                       : options.elastic_wave_viscosity) *
+                  fastest * m.support / 2;
   m.time_step = options.time_step * spacing.minCoeff() / fastest;
   return m;
 }

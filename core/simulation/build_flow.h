@@ -8,7 +8,8 @@ namespace vbgpd {
 
 /// Particles at the centroids of their cells, displaced as they are now; strengths, weights and loads as they were.
 /// Dilatancy is left out: constant dilatancy would swell a flowing soil without end. A soil whose tension cut-off is
-/// not given carries no tension. Throws Error(kUnsupported) for moving walls and for kernels other than Wendland C2.
+/// not given carries no tension (pseudo-springs: that of c and phi). Throws Error(kUnsupported) for moving walls and
+/// for kernels other than Wendland C2.
 FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& options);
 
 /// Positions, stresses and plastic strain at the hand-over; velocities are zero.

@@ -77,7 +77,7 @@ void find_features(const SceneDef& scene, const Section& section, Model& m) {
   std::vector<bool> used(scene.materials.size(), false);
   for (const Seed& s : section.seeds) used[static_cast<std::size_t>(s.material)] = true;
   Features f;
-  f.bond = *bond_law_by_name(scene.bond);
+  f.bond = bond_law_by_name(scene.bond)->at_rest;
   f.plastic = f.volumetric_plastic = f.cohesion_gradient = f.has_algorithm[0] = f.has_algorithm[1] = false;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) continue;

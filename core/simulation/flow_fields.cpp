@@ -25,12 +25,15 @@ std::int64_t FlowSimulation::bond_count() const {
   return count;
 }
 
-/// A bond is plastic when one of its ends has yielded.
+/// A bond is plastic when one of its ends has yielded, and a pseudo-spring when it is broken.
+bool FlowSimulation::plastic(std::size_t i, std::size_t j, std::size_t slot) const {
+  if (model_.bond == FlowBondLaw::kPseudoSpring) return state_.traction[slot] > 0 && !(state_.traction[slot + 4] > 0);
+  return state_.plastic_strain[i] > 0 || state_.plastic_strain[j] > 0;
+}
+
 Real FlowSimulation::plastic_bond_count() const {
   Real count = 0;
-  for_each_bond([&](std::size_t i, std::size_t j, std::size_t) {
-    count += state_.plastic_strain[i] > 0 || state_.plastic_strain[j] > 0 ? 1 : 0;
-  });
+  for_each_bond([&](std::size_t i, std::size_t j, std::size_t slot) { count += plastic(i, j, slot) ? 1 : 0; });
   return count;
 }
 
@@ -65,12 +68,12 @@ void FlowSimulation::read_particles(int field, std::vector<double>& out) const {
   const std::string_view name = info.name;
   const auto components = static_cast<std::size_t>(info.components), n = static_cast<std::size_t>(model_.particles);
   out.assign(n * components, 0);
-  std::vector<Real> bonds, plastic;
+  std::vector<Real> bonds, yielded;
   if (name == "plastic_bond_fraction") {
-    bonds.assign(n, 0), plastic.assign(n, 0);
-    for_each_bond([&](std::size_t i, std::size_t j, std::size_t) {
-      const Real one = state_.plastic_strain[i] > 0 || state_.plastic_strain[j] > 0 ? 1 : 0;
-      ++bonds[i], ++bonds[j], plastic[i] += one, plastic[j] += one;
+    bonds.assign(n, 0), yielded.assign(n, 0);
+    for_each_bond([&](std::size_t i, std::size_t j, std::size_t slot) {
+      const Real one = plastic(i, j, slot) ? 1 : 0;
+      ++bonds[i], ++bonds[j], yielded[i] += one, yielded[j] += one;
     });
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -85,7 +88,7 @@ void FlowSimulation::read_particles(int field, std::vector<double>& out) const {
     if (name == "velocity") row[0] = m[2], row[1] = m[3];
     if (name == "stress") row[0] = s[0] + s[3], row[1] = s[1] + s[3], row[2] = s[3] - s[0] - s[1], row[3] = s[2];
     if (name == "plastic_strain") row[0] = state_.plastic_strain[i];
-    if (name == "plastic_bond_fraction") row[0] = bonds[i] > 0 ? plastic[i] / bonds[i] : 0;
+    if (name == "plastic_bond_fraction") row[0] = bonds[i] > 0 ? yielded[i] / bonds[i] : 0;
     if (name == "volume") row[0] = model_.volume[id];
     if (name == "mass") row[0] = model_.mass[id];
   }
@@ -104,7 +107,8 @@ void FlowSimulation::read_bonds(int field, std::vector<double>& out) const {
     const Vec2 n = Vec2(b[0] - a[0], b[1] - a[1]).normalized();
     const Real c = n.x(), d = n.y();
     const Real xx = (s[0] + s[3] + t[0] + t[3]) / 2, yy = (s[1] + s[3] + t[1] + t[3]) / 2, xy = (s[2] + t[2]) / 2;
-    const Real tx = state_.traction[slot], ty = state_.traction[slot + 4];
+    const bool pulls = model_.bond == FlowBondLaw::kVirtual;
+    const Real tx = pulls ? state_.traction[slot] : 0, ty = pulls ? state_.traction[slot + 4] : 0;
     out.push_back(xx * c * c + yy * d * d + 2 * xy * c * d + tx * c + ty * d);
     out.push_back(xx * d * d + yy * c * c - 2 * xy * c * d);
     out.push_back((yy - xx) * c * d + xy * (c * c - d * d) - tx * d + ty * c);
@@ -128,9 +132,9 @@ void FlowSimulation::read(int field, std::vector<std::int64_t>& out) const {
     return;
   }
   const auto id = [&](std::size_t i) { return static_cast<std::int64_t>(state_.particle[i]); };
-  for_each_bond([&](std::size_t i, std::size_t j, std::size_t) {
+  for_each_bond([&](std::size_t i, std::size_t j, std::size_t slot) {
     if (name == "bond_particles") out.push_back(id(i)), out.push_back(id(j));
-    if (name == "bond_state") out.push_back(state_.plastic_strain[i] > 0 || state_.plastic_strain[j] > 0 ? 1 : 0);
+    if (name == "bond_state") out.push_back(plastic(i, j, slot) ? 1 : 0);
   });
 }
 

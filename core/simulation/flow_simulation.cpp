@@ -47,6 +47,7 @@ FlowSimulation::FlowSimulation(const LatticeSimulation& from, const FlowOptions&
   set_factor(from.get("strength_reduction_factor"));
   state_was_changed();
   fit_guard();
+  join();
 }
 
 /// Particles of cut cells may start nearer to each other or to a wall than the guard allows: theirs gets smaller, so
@@ -69,6 +70,10 @@ void FlowSimulation::fit_guard() {
   list_neighbours(model_, state_, lists_);
 }
 
+void FlowSimulation::join() {
+  if (model_.bond == FlowBondLaw::kPseudoSpring) join_neighbours(model_, state_, lists_);
+}
+
 void FlowSimulation::state_was_changed() {
   search_neighbours(model_, state_, lists_);
   ++searches_;
@@ -87,6 +92,14 @@ void FlowSimulation::set_factor(Real factor) {
     law.constants.bulk_modulus = model_.moduli[k].bulk_modulus;
     law.algorithm = static_cast<int>(algorithm_of(model_.law[k]));
     law.friction = std::tan(strength.friction_angle), law.adhesion = strength.cohesion;
+    if (model_.bond == FlowBondLaw::kPseudoSpring && yields(model_.law[k])) {
+      // it does not yield: its springs break at the uniaxial strength in tension, or at the tension cut-off if lower
+      const Real sine = std::sin(strength.friction_angle);
+      const Real tension = 2 * strength.cohesion * std::cos(strength.friction_angle) / (1 + sine);
+      const Real g = model_.moduli[k].shear_modulus, b = model_.moduli[k].bulk_modulus;
+      law.breaking_stretch = std::min(tension, strength.tension_cutoff) * (3 * b + g) / (9 * b * g);
+      law.constants = model_.moduli[k], law.algorithm = 0;
+    }
     if (!yields(model_.law[k])) law.adhesion = kInfinity;  // what never yields does not slide on a rough wall either
     laws_.push_back(law);
     elastic_laws_[k].adhesion = kInfinity;
@@ -96,15 +109,22 @@ void FlowSimulation::set_factor(Real factor) {
 /// Sizes the scratch for the present number of mirror images and writes what stays the same until the next search.
 void FlowSimulation::arrange_scratch() {
   const auto n = static_cast<std::size_t>(model_.particles), all = n + lists_.ghosts.size() + 1;
+  const bool diffuses = kernels_.step[static_cast<int>(model_.bond)][1] != nullptr;
   int stagger = 3;
   for (Array* a : {&scratch_.motion, &scratch_.next_motion, &scratch_.gradient, &scratch_.bond, &scratch_.inverse,
-                   &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y})
+                   &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y}) {
+    const bool slope = a == &scratch_.slope_x || a == &scratch_.slope_y;
+    if (slope && !diffuses) continue;
     if (a->size() != 4 * all) a->allocate(4 * all, stagger++);
+  }
+  if (model_.bond == FlowBondLaw::kArtificialStress && scratch_.artificial.size() != 4 * (n + 1))
+    scratch_.artificial.allocate(4 * (n + 1), stagger++);
   if (scratch_.next_stress.size() != 4 * (n + 1)) scratch_.next_stress.allocate(4 * (n + 1), stagger++);
-  if (scratch_.pair_force.size() != 2 * n) scratch_.pair_force.allocate(2 * n, stagger++);
+  if (model_.bond == FlowBondLaw::kVirtual && scratch_.pair_force.size() != 2 * n)
+    scratch_.pair_force.allocate(2 * n, stagger++);
   scratch_.weight.allocate(4 * (lists_.ghosts.size() + 1), stagger++);
   for (Array* a : {&scratch_.gradient, &scratch_.bond, &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y})
-    for (std::size_t k = 0; k < 4; ++k) (*a)[4 * n + k] = 0;
+    for (std::size_t k = 0; a->present() && k < 4; ++k) (*a)[4 * n + k] = 0;
   for (std::size_t k = 0; k < 4; ++k) scratch_.motion[4 * n + k] = k < 2 ? kBlank : 0;
   for (std::size_t i = 0; i < n; ++i) {
     scratch_.bond[4 * i + 2] = bond_modulus_[static_cast<std::size_t>(lists_.soil[i])];
@@ -122,12 +142,13 @@ FlowData FlowSimulation::data() const {
   d.constants = lists_.constants.data(), d.volume = lists_.volume.data(), d.force = lists_.force.data();
   d.extra_cohesion = lists_.extra_cohesion.data(), d.listed = state_.listed.data();
   d.stress = s.stress.data(), d.gap = s.gap.data(), d.plastic_strain = s.plastic_strain.data();
-  d.wall_shear = s.wall_shear.data(), d.traction = s.traction.data();
+  d.wall_shear = s.wall_shear.data(), d.traction = s.traction.data(), d.dead = s.dead.data();
   d.motion = scratch_.motion.data(), d.next_motion = scratch_.next_motion.data();
   d.next_stress = scratch_.next_stress.data(), d.gradient = scratch_.gradient.data();
   d.bond = scratch_.bond.data(), d.inverse = scratch_.inverse.data(), d.flux = scratch_.flux.data();
   d.slope_x = scratch_.slope_x.data(), d.slope_y = scratch_.slope_y.data();
   d.pair_force = scratch_.pair_force.data(), d.weight = scratch_.weight.data();
+  d.artificial = scratch_.artificial.data();
   return d;
 }
 
@@ -145,7 +166,12 @@ FlowControls FlowSimulation::controls() const {
   c.guard_stiffness = o.guard_stiffness;
   c.diffusion = 2 * o.stress_diffusion * h;
   c.smallest_eigenvalue = o.smallest_eigenvalue;
+  if (model_.bond == FlowBondLaw::kPseudoSpring) c.smallest_eigenvalue /= 4;  // a corner has three springs, not eight
   c.dashpot = 0.2 * model_.spacing;
+  c.spring_reach = o.spring_reach * model_.spacing;
+  c.artificial_stress = o.artificial_stress;
+  const Real s = 1 - model_.spacing / model_.support;
+  c.inverse_kernel_at_spacing = 1 / (s * s * s * s * (5 - 4 * s));
   c.cohesion_scale = 1 / factor_;
   c.laws = laws_.data();
   return c;
@@ -160,8 +186,9 @@ void FlowSimulation::run_step(const FlowControls& c, FlowSums& sums) {
   refresh_neighbours();
   const auto bytes = 4 * static_cast<std::size_t>(model_.particles);
   std::copy_n(state_.motion.data(), bytes, scratch_.motion.data());
-  const bool diffuse = yields_ && c.diffusion > 0 && c.laws == laws_.data();
-  (diffuse ? kernels_.diffusing : kernels_.plain)(data(), c, workers_, partial_.data(), sums);
+  const auto& functions = kernels_.step[static_cast<int>(model_.bond)];
+  const bool diffuse = yields_ && c.diffusion > 0 && c.laws == laws_.data() && functions[1] != nullptr;
+  functions[diffuse ? 1 : 0](data(), c, workers_, partial_.data(), sums);
   std::copy_n(scratch_.next_motion.data(), bytes, state_.motion.data());
   if (diffuse) std::swap(state_.stress, scratch_.next_stress);
   last_ = sums;
@@ -228,6 +255,24 @@ RelaxReport FlowSimulation::relax(std::int64_t steps, const RelaxOptions& option
   r.velocity = std::sqrt(sums.velocity2);
   r.max_displacement = monitors().max_displacement;
   return r;
+}
+
+/// Velocities of all particles. Whoever pushes does the work.
+void FlowSimulation::write(int field, const std::vector<double>& rows) {
+  const FieldInfo& info = fields()[static_cast<std::size_t>(field)];
+  if (std::string_view(info.name) != "velocity")
+    throw Error(Status::kUnsupported, std::string("field '") + info.name +
+                                          "' cannot be written on a run-out model: write it on the model it is made "
+                                          "from, or write velocity");
+  if (rows.size() != 2 * static_cast<std::size_t>(model_.particles))
+    throw Error(Status::kArgument, "field 'velocity' needs a row for every particle");
+  require_finite(info, rows);
+  const Real before = kinetic_energy();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.particles); ++i) {
+    const auto id = static_cast<std::size_t>(state_.particle[i]);
+    state_.motion[4 * i + 2] = rows[2 * id], state_.motion[4 * i + 3] = rows[2 * id + 1];
+  }
+  if (ledger_.open) ledger_.external += kinetic_energy() - before;
 }
 
 void FlowSimulation::halt() {

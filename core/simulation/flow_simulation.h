@@ -34,12 +34,16 @@ class FlowSimulation final : public Simulation {
   void read(int field, std::vector<std::int64_t>& out) const override;
   std::uint64_t state_hash() const override { return state_.hash(); }
   Memory memory() const override;
+  /// velocity only; whoever pushes does the work.
+  void write(int field, const std::vector<double>& rows) override;
 
   const FlowModel& model() const { return model_; }
   FlowState& state() { return state_; }
   const FlowState& state() const { return state_; }
   /// Neighbours are searched again before the next step (after a test has moved particles).
   void state_was_changed();
+  /// Law pseudo_spring: joins the particles anew, as they are now; nothing with the other laws.
+  void join();
 
  private:
   /// Works since the release, J per metre run; the energies it began with.
@@ -61,6 +65,7 @@ class FlowSimulation final : public Simulation {
   Real kinetic_energy() const;
   Real energy_residual() const;
   Real plastic_bond_count() const;
+  bool plastic(std::size_t i, std::size_t j, std::size_t slot) const;
   template <class F>
   void for_each_bond(F&& f) const;
   void read_particles(int field, std::vector<double>& out) const;

@@ -9,17 +9,6 @@ namespace vbgpd {
 
 namespace {
 
-void require_finite(const FieldInfo& info, const std::vector<double>& rows) {
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (std::isfinite(rows[k])) continue;
-    Issue issue;
-    issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = rows[k];
-    issue.item = static_cast<std::int64_t>(k) / info.components;
-    issue.text = std::string(info.name) + " of particle " + std::to_string(issue.item) + " is not a finite number";
-    throw Error(issue);
-  }
-}
-
 [[noreturn]] void refuse(ObjectKind object, std::size_t id, double value, const std::string& text) {
   Issue issue;
   issue.status = Status::kRange, issue.object = object, issue.object_id = static_cast<std::int64_t>(id);

@@ -1,5 +1,9 @@
 #include "simulation/outside.h"
 
+#include <cmath>
+
+#include "simulation/simulation.h"
+
 namespace vbgpd {
 
 PoreFlux::PoreFlux(const Model& m, const Array& pressure) {
@@ -28,6 +32,17 @@ void add_pore_force(const Array& pressure, Model& m) {
   for_each_flux_force(m, flux.nodal(), [&](std::size_t i, std::size_t, const Vec2& force) {
     m.force_x[i] += force.x(), m.force_y[i] += force.y();
   });
+}
+
+void require_finite(const FieldInfo& info, const std::vector<double>& rows) {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (std::isfinite(rows[k])) continue;
+    Issue issue;
+    issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = rows[k];
+    issue.item = static_cast<std::int64_t>(k) / info.components;
+    issue.text = std::string(info.name) + " of particle " + std::to_string(issue.item) + " is not a finite number";
+    throw Error(issue);
+  }
 }
 
 }  // namespace vbgpd

@@ -1,9 +1,13 @@
 // What a partner program sets while a simulation runs: forces on particles and the pressure of the water in the pores.
 #pragma once
 
+#include <vector>
+
 #include "state/model.h"
 
 namespace vbgpd {
+
+struct FieldInfo;
 
 /// By storage index; absent arrays have no bytes.
 struct Outside {
@@ -26,6 +30,9 @@ struct PoreFlux {
 /// Adds the force of the pore water to m.force_x, m.force_y: the internal force (VB5) of the stress -p I. The bonds are
 /// fixed, so this sum is made once per pressure field; the bonds go on to carry effective stress.
 void add_pore_force(const Array& pore_pressure, Model& m);
+
+/// Throws Error(kRange) that names the first particle with a number that is not finite; rows by particle id.
+void require_finite(const FieldInfo& info, const std::vector<double>& rows);
 
 /// Calls f(i, j, force of j on i) for every particle i and each of its neighbours j.
 template <class F>

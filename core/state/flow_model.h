@@ -7,6 +7,7 @@
 
 #include "base/array.h"
 #include "base/types.h"
+#include "bond/bond_law.h"
 #include "material/any_law.h"
 #include "state/flow_records.h"
 
@@ -24,10 +25,16 @@ struct FlowOptions {
   Real smallest_eigenvalue = 0.2;    ///< floor of the moment matrix, 1 in the bulk
   Real skin = 0.4;                   ///< how far beyond the support neighbours are listed
   Real time_step = 0.3;              ///< of spacing / wave speed
+  // of the rivals (sph, sph_artificial_stress, pseudo_spring, gpd)
+  Real wave_viscosity = 0.1;        ///< alpha of Monaghan's alpha c h, c the wave speed, in soil (Bui et al. 2008)
+  Real elastic_wave_viscosity = 1;  ///< where nothing yields (Gray, Monaghan & Swift 2001)
+  Real artificial_stress = 0.3;     ///< eps (Gray, Monaghan & Swift 2001)
+  Real spring_reach = 1.5;          ///< pseudo-springs join pairs nearer than that: the eight around a particle
 };
 
 struct FlowModel {
   FlowOptions options;
+  FlowBondLaw bond = FlowBondLaw::kVirtual;
   std::int64_t particles = 0;
   int materials = 0;
   Vec2 origin = Vec2::Zero();  ///< positions of the state are relative to it, m
@@ -46,6 +53,7 @@ struct FlowModel {
   std::vector<Strength> strength;  ///< unreduced
   std::vector<LawConstants> moduli;
   std::vector<FlowWall> walls;
+  bool keeps_bonds() const { return bond == FlowBondLaw::kVirtual || bond == FlowBondLaw::kPseudoSpring; }
   std::size_t bytes() const;
 };
 
@@ -59,7 +67,10 @@ struct FlowState {
   Array wall_shear;      ///< elastic stretch of the contact with a rough wall, m
   Array particle;        ///< id of the particle at this place of the order
   Array listed;          ///< [2n] positions at the last neighbour search
-  Array traction;        ///< bond traction, Pa: four x, four y for each pack of the neighbour list
+  Array dead;            ///< present with law gpd: 1 once the particle has reached its strength
+  /// For each pack of the neighbour list, with a law that keeps bonds. virtual_bond: four x, four y of the traction,
+  /// Pa; pseudo_spring: four rest lengths (m; 0 = never joined), four times 1 while whole, 0 once broken.
+  Array traction;
 
   template <class S, class F>
   static void for_each_array(S& s, F&& f) {
@@ -70,6 +81,7 @@ struct FlowState {
     f("wall_shear", s.wall_shear);
     f("particle", s.particle);
     f("listed", s.listed);
+    f("dead", s.dead);
     f("traction", s.traction);
   }
   void allocate(const FlowModel& m);
@@ -98,8 +110,9 @@ struct FlowScratch {
   Array bond;                 ///< return ratio, 1/omega0, chi G, volume
   Array inverse;              ///< M^-1: xx, xy, yy
   Array flux;                 ///< P = Z M^-1 / V: xx, xy, yx, yy
-  Array slope_x, slope_y;     ///< gradient of the four stress components
-  Array pair_force;           ///< [2n]
+  Array slope_x, slope_y;     ///< gradient of the four stress components, with laws that diffuse them
+  Array artificial;           ///< artificial stress xx, yy, xy, with the law that has it
+  Array pair_force;           ///< [2n], with virtual bonds
   Array weight;               ///< [4(1 + ghosts)] share of the weight in the stress of the mirror images
   std::size_t bytes() const;
 };

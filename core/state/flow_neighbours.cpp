@@ -248,11 +248,12 @@ void search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
   const Bins sorted(cells, n, [&](std::size_t i) { return cells.cell_at(s.listed[2 * i], s.listed[2 * i + 1]); });
   const std::vector<std::int32_t>& order = sorted.items;  // new place -> old place
   permute(s.motion, order, 4), permute(s.stress, order, 4), permute(s.listed, order, 2);
-  for (Array* a : {&s.gap, &s.plastic_strain, &s.wall_shear, &s.particle}) permute(*a, order, 1);
+  for (Array* a : {&s.gap, &s.plastic_strain, &s.wall_shear, &s.particle, &s.dead}) permute(*a, order, 1);
   const FlowLists old = std::move(lists);
   const Array traction = std::move(s.traction);
   list_neighbours(m, s, lists = FlowLists{});
   s.traction = Array{};
+  if (!m.keeps_bonds()) return;
   s.traction.allocate(2 * lists.neighbours.size(), 8);
   if (!traction.present()) return;
   for (std::size_t i = 0; i < n; ++i)
@@ -263,6 +264,23 @@ void search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
       const double* const t = traction_between(old, traction, order[i], order[static_cast<std::size_t>(j)]);
       if (t == nullptr) continue;
       s.traction[8 * (k / 4) + k % 4] = t[0], s.traction[8 * (k / 4) + 4 + k % 4] = t[4];
+    }
+}
+
+void join_neighbours(const FlowModel& m, FlowState& s, const FlowLists& lists) {
+  const Real reach = m.options.spring_reach * m.spacing;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.particles); ++i)
+    for (auto k = 4 * static_cast<std::size_t>(lists.rows[i].begin);
+         k < 4 * static_cast<std::size_t>(lists.rows[i].ghosts); ++k) {
+      const auto j = static_cast<std::size_t>(lists.neighbours[k]);
+      Real length = 0;
+      if (lists.neighbours[k] < m.particles) {
+        const Real dx = s.motion[4 * j] - s.motion[4 * i], dy = s.motion[4 * j + 1] - s.motion[4 * i + 1];
+        length = std::sqrt(dx * dx + dy * dy);
+      }
+      const bool joined = length > 0 && length < reach;
+      s.traction[8 * (k / 4) + k % 4] = joined ? length : 0;
+      s.traction[8 * (k / 4) + 4 + k % 4] = joined ? 1 : 0;
     }
 }
 

@@ -10,6 +10,9 @@ namespace vbgpd {
 /// present one and becomes the new one.
 void search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists);
 
+/// Law pseudo_spring: joins every pair nearer than the reach of a spring, at rest as it is now; all others part.
+void join_neighbours(const FlowModel& m, FlowState& s, const FlowLists& lists);
+
 /// The same lists again from a saved state (nothing is sorted, tractions stay).
 void list_neighbours(const FlowModel& m, const FlowState& s, FlowLists& lists);
 

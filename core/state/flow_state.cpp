@@ -30,7 +30,7 @@ std::size_t FlowLists::bytes() const {
 
 std::size_t FlowScratch::bytes() const {
   return bytes_of({&motion, &next_motion, &next_stress, &gradient, &bond, &inverse, &flux, &slope_x, &slope_y,
-                   &pair_force, &weight});
+                   &artificial, &pair_force, &weight});
 }
 
 void FlowState::allocate(const FlowModel& m) {
@@ -42,6 +42,7 @@ void FlowState::allocate(const FlowModel& m) {
   wall_shear.allocate(m.walls.empty() ? 0 : n, 5);
   particle.allocate(n, 6);
   listed.allocate(2 * n, 7);
+  dead.allocate(m.bond == FlowBondLaw::kGpd ? n : 0, 9);
 }
 
 std::size_t FlowState::bytes() const {

@@ -2,7 +2,7 @@
 // of its two ends miss; it turns with them, fades with plastic flow and is lost where the pair parts.
 #pragma once
 
-#include "step/flow_weight.h"
+#include "step/flow_pair_laws.h"
 
 namespace vbgpd {
 inline namespace VBGPD_ISA {
@@ -16,39 +16,41 @@ struct FlowBondSums {
   Pack yxx{}, yyy{}, yxy{}, ym{};
 };
 
-/// Four bonds of particle i:
+/// Four bonds of particle i (the first line is for laws with such bonds):
 ///   q = (v_j - v_i)/r - Lbar n,  tau <- min(rm_i, rm_j) [turned tau + chi G dt q],  B = V_i V_j omega (1/w0_i +
 ///   1/w0_j)
-template <bool kDiffuse>
+template <class PairLaw, bool kDiffuse>
 VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowBondSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
   const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
   const Pack x = other.a - own.a, y = other.b - own.b, r = root(x * x + y * y);
   const Pack weight = pair_weight(c, r);
   const auto near = weight > Pack{};
-  double* const record = d.traction + 8l * p;
+  [[maybe_unused]] double* const record = d.traction + 8l * p;
   if (!any(near)) {
-    store(record, Pack{}), store(record + 4, Pack{});
+    if constexpr (PairLaw::kBonds) store(record, Pack{}), store(record + 4, Pack{});
     return;
   }
-  const Pack inverse_r = 1.0 / r;
-  const Quads l = broadcast_quad(d.gradient + 4l * i), k = load_quads(d.gradient, j);
   const Quads bond = broadcast_quad(d.bond + 4l * i), end = load_quads(d.bond, j);
-  const Pack bxx = (l.a + k.a) * 0.5, bxy = (l.b + k.b) * 0.5, byx = (l.c + k.c) * 0.5, byy = (l.d + k.d) * 0.5;
-  const Pack qx = (other.c - own.c - bxx * x - bxy * y) * inverse_r;
-  const Pack qy = (other.d - own.d - byx * x - byy * y) * inverse_r;
-  const Pack angle = (byx - bxy) * (0.5 * c.time_step), cosine = 1.0 - 0.5 * angle * angle;
-  const Pack ox = load(record), oy = load(record + 4);
-  const Pack stiffness = (bond.c + end.c) * (0.5 * c.time_step), ratio = smaller(bond.a, end.a);
-  const Pack tx = select(near, ratio * (cosine * ox - angle * oy + stiffness * qx), Pack{});
-  const Pack ty = select(near, ratio * (cosine * oy + angle * ox + stiffness * qy), Pack{});
-  store(record, tx), store(record + 4, ty);
+  if constexpr (PairLaw::kBonds) {
+    const Pack inverse_r = 1.0 / r;
+    const Quads l = broadcast_quad(d.gradient + 4l * i), k = load_quads(d.gradient, j);
+    const Pack bxx = (l.a + k.a) * 0.5, bxy = (l.b + k.b) * 0.5, byx = (l.c + k.c) * 0.5, byy = (l.d + k.d) * 0.5;
+    const Pack qx = (other.c - own.c - bxx * x - bxy * y) * inverse_r;
+    const Pack qy = (other.d - own.d - byx * x - byy * y) * inverse_r;
+    const Pack angle = (byx - bxy) * (0.5 * c.time_step), cosine = 1.0 - 0.5 * angle * angle;
+    const Pack ox = load(record), oy = load(record + 4);
+    const Pack stiffness = (bond.c + end.c) * (0.5 * c.time_step), ratio = smaller(bond.a, end.a);
+    const Pack tx = select(near, ratio * (cosine * ox - angle * oy + stiffness * qx), Pack{});
+    const Pack ty = select(near, ratio * (cosine * oy + angle * ox + stiffness * qy), Pack{});
+    store(record, tx), store(record + 4, ty);
 
-  const Pack volume = bond.d * end.d * weight * (bond.b + end.b);
-  const Pack fx = volume * tx * inverse_r, fy = volume * ty * inverse_r;
-  s.fx += fx, s.fy += fy;
-  s.zxx += fx * x, s.zxy += fx * y, s.zyx += fy * x, s.zyy += fy * y;
-  s.work += volume * ((tx + ox) * qx + (ty + oy) * qy);
+    const Pack volume = bond.d * end.d * weight * (bond.b + end.b);
+    const Pack fx = volume * tx * inverse_r, fy = volume * ty * inverse_r;
+    s.fx += fx, s.fy += fy;
+    s.zxx += fx * x, s.zxy += fx * y, s.zyx += fy * x, s.zyy += fy * y;
+    s.work += volume * ((tx + ox) * qx + (ty + oy) * qy);
+  }
   if constexpr (kDiffuse) {
     const Quads mine = broadcast_quad(d.stress + 4l * i), its = load_quads(d.stress, j);
     const Pack wx = weight * end.d * x, wy = weight * end.d * y;
@@ -60,8 +62,8 @@ VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std
 }
 
 /// in  motion, gradient, stress, bond   in/out  traction   out  flux P = Z M^-1 / V with Z = V sigma - sum B tau (x)
-/// n/2, pair_force, and (kDiffuse) slope_x, slope_y: the gradient of the stress among the soil
-template <bool kDiffuse>
+/// n/2, pair_force, artificial, and (kDiffuse) slope_x, slope_y: the gradient of the stress among the soil
+template <class PairLaw, bool kDiffuse>
 inline void bond_pass(const FlowData& shared, const FlowControls& shared_controls, int first, int last,
                       FlowSums& sums) {
   const FlowData d = shared;
@@ -69,7 +71,8 @@ inline void bond_pass(const FlowData& shared, const FlowControls& shared_control
   for (int i = first; i < last; ++i) {
     FlowBondSums s;
     const FlowRow row = d.rows[i];
-    for (std::int32_t p = row.begin; p < row.ghosts; ++p) add_bonds<kDiffuse>(d, c, i, p, s);
+    if constexpr (PairLaw::kBonds || kDiffuse)
+      for (std::int32_t p = row.begin; p < row.ghosts; ++p) add_bonds<PairLaw, kDiffuse>(d, c, i, p, s);
     const Pack z = sums_of(s.zxx, s.zxy, s.zyx, s.zyy), f = sums_of(s.fx, s.fy, s.work, Pack{});
     const double* const stress = d.stress + 4l * i;
     const double* const m = d.inverse + 4l * i;
@@ -79,7 +82,8 @@ inline void bond_pass(const FlowData& shared, const FlowControls& shared_control
     double* const flux = d.flux + 4l * i;
     flux[0] = zxx * m[0] + zxy * m[1], flux[1] = zxx * m[1] + zxy * m[2];
     flux[2] = zyx * m[0] + zyy * m[1], flux[3] = zyx * m[1] + zyy * m[2];
-    d.pair_force[2l * i] = f[0], d.pair_force[2l * i + 1] = f[1];
+    if constexpr (PairLaw::kBonds) d.pair_force[2l * i] = f[0], d.pair_force[2l * i + 1] = f[1];
+    if constexpr (PairLaw::kArtificialStress) artificial_stress(c.artificial_stress, stress, d.artificial + 4l * i);
     sums.bond += 0.25 * c.time_step * f[2];  // a bond is met from both ends; its traction before and after
     if constexpr (kDiffuse) {
       const Pack moment = sums_of(s.mxx, s.mxy, s.myy, Pack{});

@@ -13,6 +13,7 @@ struct FlowLaw {
   LawConstants constants;
   int algorithm = 0;                  ///< 0 cone, 1 hexagon
   double friction = 0, adhesion = 0;  ///< of its contact with a rough wall: tan phi, Pa
+  double breaking_stretch = 1e300;    ///< of a pseudo-spring
 };
 
 /// What drives a run-out step: it changes between steps, never inside one.
@@ -27,8 +28,11 @@ struct FlowControls {
   double guard_stiffness = 0;  ///< kappa
   double diffusion = 0;        ///< 2 zeta h, m
   double smallest_eigenvalue = 0;
-  double dashpot = 0;         ///< 0.2 dx: of the contact with a wall, times rho c
-  double cohesion_scale = 1;  ///< 1/F, for cohesion that grows with depth; 0 while strengths are left out
+  double dashpot = 0;                    ///< 0.2 dx: of the contact with a wall, times rho c
+  double spring_reach = 0;               ///< pseudo-springs join pairs nearer than that, m
+  double artificial_stress = 0;          ///< eps
+  double inverse_kernel_at_spacing = 0;  ///< 1 / ((1 - q/2)^4 (1 + 2q)), q = dx/h
+  double cohesion_scale = 1;             ///< 1/F, for cohesion that grows with depth; 0 while strengths are left out
   const FlowLaw* laws = nullptr;
 };
 
@@ -37,7 +41,7 @@ struct FlowSums {
   double unbalanced = 0, kinetic = 0, velocity2 = 0, displacement2 = 0;
   double external = 0;              ///< done by weight, seismic force and loads
   double internal = 0;              ///< taken up by the stress of the particles
-  double bond = 0;                  ///< taken up by bond tractions
+  double bond = 0;                  ///< taken up by bond tractions, or by the artificial stress
   double viscous = 0, damping = 0;  ///< dissipated
   double contact = 0;               ///< taken up by the contact with walls, friction included
   double wall = 0;                  ///< done by the weight term of the mirrored stress
@@ -63,10 +67,10 @@ struct FlowData {
   const std::int32_t* soil;
   const double *constants, *volume, *force, *extra_cohesion, *listed;
   // state
-  double *stress, *gap, *plastic_strain, *wall_shear, *traction;
+  double *stress, *gap, *plastic_strain, *wall_shear, *traction, *dead;
   // scratch; motion is the state's, with ghosts
   double *motion, *next_motion, *next_stress, *gradient, *bond, *inverse, *flux, *slope_x, *slope_y, *pair_force,
-      *weight;
+      *weight, *artificial;
 };
 
 }  // namespace vbgpd

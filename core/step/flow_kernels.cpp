@@ -2,20 +2,19 @@
 
 namespace vbgpd {
 
-extern const FlowStepFunction kFlowTable_portable[2];
+extern const FlowStepTable kFlowTable_portable;
 #if defined(VBGPD_X86)
-extern const FlowStepFunction kFlowTable_x86_64_v2[2], kFlowTable_x86_64_v3[2];
+extern const FlowStepTable kFlowTable_x86_64_v2, kFlowTable_x86_64_v3;
 #endif
 
 std::span<const FlowKernels> all_flow_kernels() {
   static const FlowKernels list[] = {
 #if defined(VBGPD_X86)
     {"x86-64-v3", __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"),
-     kFlowTable_x86_64_v3[0], kFlowTable_x86_64_v3[1]},
-    {"x86-64-v2", static_cast<bool>(__builtin_cpu_supports("sse4.2")), kFlowTable_x86_64_v2[0],
-     kFlowTable_x86_64_v2[1]},
+     kFlowTable_x86_64_v3},
+    {"x86-64-v2", static_cast<bool>(__builtin_cpu_supports("sse4.2")), kFlowTable_x86_64_v2},
 #endif
-    {"portable", true, kFlowTable_portable[0], kFlowTable_portable[1]}
+    {"portable", true, kFlowTable_portable}
   };
   return list;
 }

@@ -11,10 +11,14 @@ namespace vbgpd {
 
 using FlowStepFunction = void (*)(const FlowData&, const FlowControls&, Workers&, FlowSums* partial, FlowSums& sums);
 
+/// Step functions by FlowBondLaw, without and with stress diffusion; the rivals are as they were published, without.
+inline constexpr int kFlowBondLaws = 6;
+using FlowStepTable = FlowStepFunction[kFlowBondLaws][2];
+
 struct FlowKernels {
   std::string_view isa;
   bool supported;  ///< by this processor
-  FlowStepFunction plain, diffusing;
+  const FlowStepTable& step;
 };
 
 /// Every build in this library, best first.

@@ -7,7 +7,14 @@
 
 namespace vbgpd {
 
-extern const FlowStepFunction VBGPD_JOIN(kFlowTable_, VBGPD_ISA)[2];
-const FlowStepFunction VBGPD_JOIN(kFlowTable_, VBGPD_ISA)[2] = {&flow_step<false>, &flow_step<true>};
+extern const FlowStepTable VBGPD_JOIN(kFlowTable_, VBGPD_ISA);
+const FlowStepTable VBGPD_JOIN(kFlowTable_, VBGPD_ISA) = {
+    {&flow_step<VirtualBonds, false>, &flow_step<VirtualBonds, true>},
+    {&flow_step<NoBonds, false>, &flow_step<NoBonds, true>},
+    {&flow_step<PlainSph, false>, nullptr},
+    {&flow_step<ArtificialStress, false>, nullptr},
+    {&flow_step<PseudoSprings, false>, nullptr},
+    {&flow_step<LifeAndDeath, false>, nullptr},
+};
 
 }  // namespace vbgpd

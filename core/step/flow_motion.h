@@ -1,8 +1,8 @@
 // Third pass of a run-out step: forces from virtual power, viscosity, short-range guard, walls; kick, drift; diffusion.
 #pragma once
 
+#include "step/flow_pair_laws.h"
 #include "step/flow_walls.h"
-#include "step/flow_weight.h"
 
 namespace vbgpd {
 inline namespace VBGPD_ISA {
@@ -12,10 +12,11 @@ struct FlowForceSums {
   Pack fx{}, fy{}, bx{}, by{}, hx{}, hy{};  ///< stress of soil and images; weight term of images; viscosity
   Pack sx{}, sy{}, energy{};                ///< short-range guard
   Pack xx{}, yy{}, xy{}, m{};               ///< diffused stress
+  Pack ax{}, ay{};                          ///< artificial stress
 };
 
 /// Forces of four soil neighbours. Every term is equal and opposite for the other end, bit by bit.
-template <bool kDiffuse>
+template <class PairLaw, bool kDiffuse>
 VBGPD_INLINE void add_soil(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowForceSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
   const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
@@ -24,20 +25,31 @@ VBGPD_INLINE void add_soil(const FlowData& d, const FlowControls& c, int i, std:
   if (!any(weight > Pack{})) return;
   const Quads mine = broadcast_quad(d.flux + 4l * i), its = load_quads(d.flux, j);
   const Quads self = broadcast_quad(d.constants + 4l * i), end = load_quads(d.constants, j);
-  const Pack wx = weight * end.a * x, wy = weight * end.a * y;
+  Pack joined = weight;
+  if constexpr (PairLaw::kSprings) joined = select(load(d.traction + 8l * p + 4) > Pack{}, weight, Pack{});
+  const Pack wx = joined * end.a * x, wy = joined * end.a * y;
   s.fx += (mine.a + its.a) * wx + (mine.b + its.b) * wy;
   s.fy += (mine.c + its.c) * wx + (mine.d + its.d) * wy;
+  if constexpr (PairLaw::kArtificialStress) {
+    const Pack close = closeness(c, r);
+    const Quads a = broadcast_quad(d.artificial + 4l * i), b = load_quads(d.artificial, j);
+    s.ax += close * ((a.a + b.a) * wx + (a.c + b.c) * wy);
+    s.ay += close * ((a.c + b.c) * wx + (a.b + b.b) * wy);
+  }
   // Monaghan's viscosity on approach: V_i V_j rho omega (alpha c h) (v . xi)/(r2 + 0.01 h2) xi, v . xi < 0
   const Pack closing = smaller((other.c - own.c) * x + (other.d - own.d) * y, Pack{});
   const Pack mass = self.b * end.a + self.a * end.b;
   const Pack drag = 0.5 * c.viscosity * weight * mass * closing / (r2 + c.softening);
   s.hx += drag * x, s.hy += drag * y;
   // guard: kappa (K + 4G/3) (b s - r), s the mean side of the two particles
-  const Pack overlap = larger(0.5 * c.guard_distance * (self.d + end.d) - r, Pack{});
-  if (any(overlap > Pack{})) {
-    const Pack push = 0.5 * c.guard_stiffness * (self.c + end.c) * overlap, over_r = push / r;
-    s.sx -= over_r * x, s.sy -= over_r * y;
-    s.energy += push * overlap;
+  if constexpr (PairLaw::kGuard) {
+    Pack overlap = larger(0.5 * c.guard_distance * (self.d + end.d) - r, Pack{});
+    if constexpr (PairLaw::kSprings) overlap = select(joined > Pack{}, Pack{}, overlap);
+    if (any(overlap > Pack{})) {
+      const Pack push = 0.5 * c.guard_stiffness * (self.c + end.c) * overlap, over_r = push / r;
+      s.sx -= over_r * x, s.sy -= over_r * y;
+      s.energy += push * overlap;
+    }
   }
   if constexpr (kDiffuse) {
     const Quads bond = broadcast_quad(d.bond + 4l * i), far = load_quads(d.bond, j);
@@ -55,12 +67,15 @@ VBGPD_INLINE void add_soil(const FlowData& d, const FlowControls& c, int i, std:
   }
 }
 
+template <class PairLaw>
 VBGPD_INLINE void add_ghosts(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowForceSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
   const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
   const Quads mine = broadcast_quad(d.flux + 4l * i), its = load_quads(d.flux, j);
   const Pack x = other.a - own.a, y = other.b - own.b, r = root(x * x + y * y);
-  const Pack weight = pair_weight(c, r) * load_each(d.volume, j), wx = weight * x, wy = weight * y;
+  Pack weight = pair_weight(c, r) * load_each(d.volume, j);
+  if constexpr (PairLaw::kSprings) weight = select(r < c.spring_reach, weight, Pack{});
+  const Pack wx = weight * x, wy = weight * y;
   s.fx += (mine.a + its.a) * wx + (mine.b + its.b) * wy;
   s.fy += (mine.c + its.c) * wx + (mine.d + its.d) * wy;
   const int n = d.particles;
@@ -80,7 +95,7 @@ VBGPD_INLINE double local_damping(double alpha, double force, double velocity) {
 }
 
 /// in  motion, flux (ghosts too), pair_force, stress, slopes   out  next_motion, next_stress (kDiffuse)
-template <bool kDiffuse>
+template <class PairLaw, bool kDiffuse>
 inline void motion_pass(const FlowData& shared, const FlowControls& shared_controls, int first, int last,
                         FlowSums& sums) {
   const FlowData d = shared;
@@ -89,15 +104,21 @@ inline void motion_pass(const FlowData& shared, const FlowControls& shared_contr
   for (int i = first; i < last; ++i) {
     const FlowRow row = d.rows[i];
     FlowForceSums s;
-    for (std::int32_t p = row.begin; p < row.ghosts; ++p) add_soil<kDiffuse>(d, c, i, p, s);
-    for (std::int32_t p = row.ghosts; p < row.end; ++p) add_ghosts(d, c, i, p, s);
+    for (std::int32_t p = row.begin; p < row.ghosts; ++p) add_soil<PairLaw, kDiffuse>(d, c, i, p, s);
+    for (std::int32_t p = row.ghosts; p < row.end; ++p) add_ghosts<PairLaw>(d, c, i, p, s);
     const Pack f = sums_of(s.fx, s.fy, s.hx, s.hy), g = sums_of(s.sx, s.sy, s.energy, Pack{});
     const Pack w = row.near_wall != 0 ? sums_of(s.bx, s.by, Pack{}, Pack{}) : Pack{};
     const ContactForce wall = row.near_wall != 0 ? wall_contact(d, c, i) : ContactForce{};
     const double volume = d.constants[4l * i], mass = d.constants[4l * i + 1];
     const double ex = d.force[2l * i], ey = d.force[2l * i + 1];
-    const double fx = volume * (f[0] + w[0]) + d.pair_force[2l * i] + f[2] + g[0] + wall.x + ex;
-    const double fy = volume * (f[1] + w[1]) + d.pair_force[2l * i + 1] + f[3] + g[1] + wall.y + ey;
+    double pair_x = 0, pair_y = 0;
+    if constexpr (PairLaw::kBonds) pair_x = d.pair_force[2l * i], pair_y = d.pair_force[2l * i + 1];
+    if constexpr (PairLaw::kArtificialStress) {
+      const Pack a = sums_of(s.ax, s.ay, Pack{}, Pack{});
+      pair_x = volume * a[0], pair_y = volume * a[1];
+    }
+    const double fx = volume * (f[0] + w[0]) + pair_x + f[2] + g[0] + wall.x + ex;
+    const double fy = volume * (f[1] + w[1]) + pair_y + f[3] + g[1] + wall.y + ey;
     const double* const m = d.motion + 4l * i;
     double* const next = d.next_motion + 4l * i;
     const double dx = local_damping(c.local_damping, fx, m[2]), dy = local_damping(c.local_damping, fy, m[3]);
@@ -115,6 +136,7 @@ inline void motion_pass(const FlowData& shared, const FlowControls& shared_contr
     sums.velocity2 = larger(sums.velocity2, next[2] * next[2] + next[3] * next[3]);
     sums.displacement2 = larger(sums.displacement2, ux * ux + uy * uy);
     sums.external += ex * mx + ey * my;
+    if constexpr (PairLaw::kArtificialStress) sums.bond -= pair_x * mx + pair_y * my;
     sums.viscous -= f[2] * mx + f[3] * my;
     sums.damping -= dx * mx + dy * my;
     sums.contact -= wall.x * mx + wall.y * my;

@@ -1,5 +1,5 @@
 // One step of the run-out side: the same method as step.h, updated-Lagrangian, with operators at the present positions
-// and bonds that come and go with the neighbours (VB-H).
+// and bonds that come and go with the neighbours (VB-H), or one of its rivals.
 #pragma once
 
 #include "base/parallel.h"
@@ -11,8 +11,8 @@ namespace vbgpd {
 inline namespace VBGPD_ISA {
 
 /// Every pass writes to its own particle only: any thread may take any chunk, sums are combined in chunk order.
-/// kDiffuse: stress diffusion, wanted as soon as anything yields.
-template <bool kDiffuse>
+/// PairLaw: flow_pair_laws.h. kDiffuse: stress diffusion, wanted as soon as anything yields.
+template <class PairLaw, bool kDiffuse>
 void flow_step(const FlowData& d, const FlowControls& c, Workers& workers, FlowSums* partial, FlowSums& sums) {
   const int chunks = (d.particles + d.chunk - 1) / d.chunk;
   const auto each = [&](auto&& pass) {
@@ -26,13 +26,13 @@ void flow_step(const FlowData& d, const FlowControls& c, Workers& workers, FlowS
   // mirror images behind the walls
   place_ghosts(d);
   // operators, velocity gradient, stress: gap memory, rotation, elastic, cut-off, return to the yield surface
-  each([&](int first, int last, FlowSums& s) { strain_pass(d, c, first, last, s); });
+  each([&](int first, int last, FlowSums& s) { strain_pass<PairLaw>(d, c, first, last, s); });
   // virtual bonds: traction turned, loaded, relaxed by plastic flow; stress flux; gradient of the stress
-  each([&](int first, int last, FlowSums& s) { bond_pass<kDiffuse>(d, c, first, last, s); });
+  each([&](int first, int last, FlowSums& s) { bond_pass<PairLaw, kDiffuse>(d, c, first, last, s); });
   // conjugate stress of the mirror images
   press_ghosts(d);
   // forces from virtual power, viscosity, guard, contact with walls, gravity and loads; kick, drift; stress diffusion
-  each([&](int first, int last, FlowSums& s) { motion_pass<kDiffuse>(d, c, first, last, s); });
+  each([&](int first, int last, FlowSums& s) { motion_pass<PairLaw, kDiffuse>(d, c, first, last, s); });
 
   sums = FlowSums{};
   for (int k = 0; k < chunks; ++k) sums.add(partial[k]);

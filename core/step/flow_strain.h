@@ -1,6 +1,7 @@
 // First pass of a run-out step: operators and velocity gradient at the present positions, then the stress.
 #pragma once
 
+#include "step/flow_pair_laws.h"
 #include "step/flow_stress.h"
 #include "step/flow_weight.h"
 
@@ -8,7 +9,9 @@ namespace vbgpd {
 inline namespace VBGPD_ISA {
 
 /// M_i = sum_j V_j omega_ij xi xi^T, L_i = [sum_j V_j omega_ij (v_j - v_i) (x) xi] M_i^-1; mirror images take part.
-/// in  motion (ghosts too)   in/out  stress, gap, plastic_strain   out  gradient, inverse, bond
+/// in  motion (ghosts too)   in/out  stress, gap, plastic_strain, dead, springs (traction)   out  gradient, inverse,
+/// bond
+template <class PairLaw>
 inline void strain_pass(const FlowData& shared, const FlowControls& shared_controls, int first, int last,
                         FlowSums& sums) {
   const FlowData d = shared;  // copies: their members stay in registers across stores
@@ -20,14 +23,28 @@ inline void strain_pass(const FlowData& shared, const FlowControls& shared_contr
       const std::int32_t* const j = d.neighbours + 4l * p;
       const Quads other = load_quads(d.motion, j);
       const Pack x = other.a - own.a, y = other.b - own.b;
-      const Pack weight = pair_weight(c, root(x * x + y * y)) * load_each(d.volume, j);
+      const Pack r = root(x * x + y * y);
+      Pack weight = pair_weight(c, r) * load_each(d.volume, j);
+      if constexpr (PairLaw::kSprings) {
+        if (p < d.rows[i].ghosts) {
+          const double own_stretch = c.laws[d.soil[i]].breaking_stretch;
+          const auto bears = [&](int k) {
+            return j[k] < d.particles ? smaller(own_stretch, c.laws[d.soil[j[k]]].breaking_stretch) : own_stretch;
+          };
+          const Pack breaking{bears(0), bears(1), bears(2), bears(3)};
+          weight = select(stretch_springs(d.traction + 8l * p, r, breaking), weight, Pack{});
+        } else {
+          weight = select(r < c.spring_reach, weight, Pack{});
+        }
+      }
       const Pack wx = weight * x, wy = weight * y, vx = other.c - own.c, vy = other.d - own.d;
       total += weight;
       mxx += wx * x, mxy += wx * y, myy += wy * y;
       axx += vx * wx, axy += vx * wy, ayx += vy * wx, ayy += vy * wy;
     }
     const Pack m = sums_of(mxx, mxy, myy, total), a = sums_of(axx, axy, ayx, ayy);
-    const Inverse inverse = floored_inverse(m[0], m[1], m[2], c.smallest_eigenvalue);
+    Inverse inverse{1, 0, 1};
+    if constexpr (PairLaw::kCorrected) inverse = floored_inverse(m[0], m[1], m[2], c.smallest_eigenvalue);
     double* const l = d.gradient + 4l * i;
     l[0] = a[0] * inverse.xx + a[1] * inverse.xy, l[1] = a[0] * inverse.xy + a[1] * inverse.yy;
     l[2] = a[2] * inverse.xx + a[3] * inverse.xy, l[3] = a[2] * inverse.xy + a[3] * inverse.yy;
@@ -36,8 +53,9 @@ inline void strain_pass(const FlowData& shared, const FlowControls& shared_contr
 
     const FlowLaw& law = c.laws[d.soil[i]];
     const double extra = d.extra_cohesion == nullptr ? 0 : d.extra_cohesion[i] * c.cohesion_scale;
+    double* const dead = PairLaw::kDies ? d.dead + i : nullptr;
     const StressUpdate update =
-        update_stress(law, extra, c.time_step, l, d.stress + 4l * i, d.gap[i], d.plastic_strain[i]);
+        update_stress<PairLaw>(law, extra, c.time_step, l, d.stress + 4l * i, d.gap[i], d.plastic_strain[i], dead);
     const double volume = d.volume[i];
     d.bond[4l * i] = update.return_ratio;
     d.bond[4l * i + 1] = m[3] > 0 ? 1 / m[3] : 0;

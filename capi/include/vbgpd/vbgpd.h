@@ -182,7 +182,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_load(vbgpd_profile*, double 
 /* Named numbers; id is ignored for VBGPD_OBJECT_PROFILE. NaN takes a value back to "absent". */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_f64(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double value);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_f64(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double* value);
-/* Named texts: PROFILE "name", "source", "bond" (virtual_bond | none), "kernel" (wendland_c2 | cubic_spline);
+/* Named texts: PROFILE "name", "source", "bond" (virtual_bond | none; in run-outs
+ * also sph | sph_artificial_stress | pseudo_spring | gpd), "kernel" (wendland_c2 | cubic_spline);
  * MATERIAL "name", "law" (elastic | drucker_prager | mohr_coulomb | undrained); LAYER "material"; BOUNDARY "name", "side". */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_text(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, const char* value, int64_t value_len);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_text(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
@@ -476,7 +477,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_events_read(vbgpd_model*, int64_t 
  *   stress - pore_pressure. The pressure goes on into the wall particles: set them too (_points and _grid do). Where it is
  *   not 0 at the ground, the water standing there is a load of its own. Jobs count it in, on every grid.
  * external_force (N per metre run, x and y): added to weight and loads.
- * velocity (m/s): of what walls do not hold; the energy ledger books it as external work.
+ * velocity (m/s): of what walls do not hold; the energy ledger books it as external work. The only one of a run-out.
  * A number that is not finite gives VBGPD_E_RANGE with the particle in the error record's item. */
 /* n items in the order of the selection (NULL = all particles by id); n must be their number. strides as _read_f64. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_f64(vbgpd_model*, int32_t field, const vbgpd_selection* selection, const double* src, int64_t stride_item, int64_t stride_component, int64_t n);

@@ -134,7 +134,9 @@ TEST(Validate, ListsKnownNamesAndSuggestsTheNearest) {
       "undrained; did "
       "you mean \"mohr_coulomb\"?",
       [](SceneDef& s) { s.materials[0].law = "mohr_colomb"; });
-  expect_error("scene: bond \"vb\" is not known: use one of virtual_bond, none", [](SceneDef& s) { s.bond = "vb"; });
+  expect_error(
+      "scene: bond \"vb\" is not known: use one of virtual_bond, none, sph, sph_artificial_stress, pseudo_spring, gpd",
+      [](SceneDef& s) { s.bond = "vb"; });
   expect_error(
       "scene: kernel \"cubic\" is not known: use one of wendland_c2, cubic_spline; did you mean \"cubic_spline\"?",
       [](SceneDef& s) { s.kernel = "cubic"; });

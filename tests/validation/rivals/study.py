@@ -1,0 +1,335 @@
+#!/usr/bin/env python3
+"""Virtual bonds and their rivals on the same problems, in the same program: who clumps, who breaks, what it costs.
+
+Usage: study.py LIBVBGPD.so [--pictures DIRECTORY] [--law NAME ...] [CASE ...]. For every case and law one row of a
+Markdown table; README.md beside it keeps the rows of a dated run. The laws are the names of the scene's `bond`; all of
+them move the same particles with the same kernel, soil law, walls and time step.
+"""
+import argparse
+import math
+import os
+import pathlib
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "bindings" / "python"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "runout"))
+import numpy  # noqa: E402
+import vbgpd  # noqa: E402
+from study import largest_mass, neighbours, noise_of  # noqa: E402
+
+GRAVITY = 9.81
+LAWS = ["virtual_bond", "none", "sph", "sph_artificial_stress", "pseudo_spring", "gpd"]
+LINK = 1.6  # spacings: particles nearer than that hang together
+
+
+def model_of(context, law, outline, soil, spacing, boundaries, weightless=False, pressure=0.0):
+    """A run-out model. boundaries: (kind, side or polyline)."""
+    with vbgpd.Profile(context) as profile:
+        profile.set_exterior(outline)
+        profile.add_layer(profile.add_material("soil", **soil))
+        for kind, where in boundaries:
+            profile.add_boundary(kind, **({"side": where} if isinstance(where, str) else {"xy": where}))
+        profile.set("spacing", spacing)
+        profile.set("bond", law)
+        if weightless:
+            profile.set("kv", -1 + 1e-12)  # an uplift that leaves nothing of the weight
+        if pressure > 0:
+            profile.add_load(0.0, 1.0, pressure)
+        with vbgpd.Model(context, profile) as at_rest:
+            return vbgpd.Model.runout_of(at_rest)
+
+
+def material(law, density, modulus, cohesion=0.0, phi=0.0):
+    soil = dict(law=law, unit_weight=density * GRAVITY, young_modulus=modulus, poisson_ratio=0.3)
+    return soil if law == "elastic" else dict(soil, cohesion=cohesion, friction_angle=phi)
+
+
+def wave_speed(soil):
+    nu = soil["poisson_ratio"]
+    return math.sqrt(soil["young_modulus"] * (1 - nu) / (1 + nu) / (1 - 2 * nu) * GRAVITY / soil["unit_weight"])
+
+
+def pieces_of(x, link):
+    label = numpy.full(len(x), -1)
+    near = [found for found, _ in neighbours(x, link)]
+    count = 0
+    for seed in range(len(x)):
+        if label[seed] >= 0:
+            continue
+        label[seed], ends, count = count, [seed], count + 1
+        while ends:
+            for j in near[ends.pop()]:
+                if label[j] < 0:
+                    label[j] = label[seed]
+                    ends.append(j)
+    return label, count
+
+
+class Measured:
+    """What every case tells: state at its end and the numbers common to all."""
+
+    def __init__(self, model, scale, component):
+        self.x, self.stress = model.field("position"), model.field("stress")
+        self.strain = model.field("plastic_strain")
+        if model.get("plastic_bonds") > 0 and not self.strain.any():  # springs break instead
+            self.strain = model.field("plastic_bond_fraction")
+        self.moved = numpy.hypot(*model.field("displacement").T)
+        self.dx = math.sqrt(model.get("spacing_x") * model.get("spacing_y"))
+        distances = [d.min() for _, d in neighbours(self.x, LINK * self.dx) if len(d)]
+        self.least = min(distances, default=float("nan")) / self.dx
+        self.labels, self.pieces = pieces_of(self.x, LINK * self.dx)
+        self.lost = len(self.x) - int(largest_mass(self.x, LINK * self.dx).sum())
+        self.noise = noise_of(self.x, self.stress[:, component], 2.6 * self.dx, scale)
+        self.residual = model.get("energy_residual")
+        self.verdict, self.own = "", {}
+
+
+def march(model, seconds):
+    """True when it came to the end of it, False when a particle crossed a spacing in one step."""
+    try:
+        model.step(math.ceil(seconds / model.get("time_step")))
+        return True
+    except vbgpd.Error as error:
+        if error.status != vbgpd.Status.E_DIVERGED:
+            raise
+        return False
+
+
+def stretched_bar(context, law):
+    """Elastic bar, 2 m x 0.4 m, free; its halves start to fly apart, v_x = 0.08 c x / (L/2), and pull each other back;
+    after six wave travels to and fro."""
+    soil = material("elastic", 1000, 1e6)
+    wave = wave_speed(soil)
+    with model_of(context, law, [(0, 0), (2, 0), (2, 0.4), (0, 0.4)], soil, 0.05,
+                  [(vbgpd.Boundary.FREE, "base")], weightless=True) as model:
+        x = model.field("position")
+        length = numpy.ptp(x[:, 0])
+        velocity = numpy.zeros_like(x)
+        velocity[:, 0] = 0.08 * wave * (x[:, 0] - 1)
+        model.write("velocity", velocity)
+        given = model.get("kinetic_energy")
+        whole = march(model, 24 / wave)
+        m = Measured(model, soil["young_modulus"] * 0.08, 0)
+        kept = (model.get("kinetic_energy") + model.get("elastic_energy")) / given
+        m.own = {"length / length before": f"{numpy.ptp(m.x[:, 0]) / length:.3f}", "energy kept": f"{kept:.2f}"}
+        m.verdict = ("diverged" if not whole else f"breaks into {m.pieces}" if m.pieces > 1 else
+                     "clumps" if m.least < 0.6 else "whole")
+        m.colour, m.colour_name = m.stress[:, 0] / soil["young_modulus"], "sigma_xx / E"
+        return m
+
+
+def rings_outline(radius, width, gap, dx):
+    """Two rings of whole cells as one simple polygon: each slit open, joined by a neck, both far thinner than a cell."""
+    def highest(column, r):
+        across = (column + 0.5) * dx
+        return max([k + 1 for k in range(round(r / dx)) if math.hypot(across, (k + 0.5) * dx) < r], default=0) * dx
+
+    def upper_half(r):
+        n = max(k for k in range(round(r / dx) + 1) if highest(k - 1, r) > 0)
+        return [(k * dx, highest(column, r)) for column in range(-n, n) for k in (column, column + 1)]
+
+    slit = 1e-3 * dx
+    outer, inner = upper_half(radius), upper_half(radius - width)
+    mirrored = [[(x, -y) for x, y in half] for half in (outer, inner)]
+    ends = [outer[0][0], inner[0][0]]
+    ring = ([(-ends[0], slit), *outer[::-1], (ends[0], slit), (ends[1], slit), *inner, *mirrored[1][::-1],
+             (ends[1], -slit), (ends[0], -slit), *mirrored[0], (-ends[0], -slit)])
+    centre = -ends[0] + gap / 2
+    both = [(x - centre, y) for x, y in ring] + [(centre - x, -y) for x, y in ring]
+    return [point for k, point in enumerate(both) if math.dist(point, both[k - 1]) > 1e-9]
+
+
+def rings(context, law):
+    """Elastic rings of radii 3 and 4 m that meet at 0.118 c (Gray, Monaghan & Swift 2001)."""
+    soil = material("elastic", 1000, 1e6)
+    wave, dx = wave_speed(soil), 0.2
+    outline = rings_outline(4, 1, 4 * dx, dx)
+    with model_of(context, law, outline, soil, dx, [(vbgpd.Boundary.FREE, outline[5:7])], weightless=True) as model:
+        x = model.field("position")
+        left = x[:, 0] < 0
+        velocity = numpy.zeros_like(x)
+        velocity[:, 0] = numpy.where(left, 0.059 * wave, -0.059 * wave)
+        model.write("velocity", velocity)
+        kinetic = model.get("kinetic_energy")
+        whole = march(model, 220 / wave)
+        m = Measured(model, soil["young_modulus"] * 0.059, 0)
+        mass, v = model.field("mass"), model.field("velocity")
+        rebound = -numpy.average(v[left, 0], weights=mass[left]) / (0.059 * wave)
+        m.own = {"pieces": f"{m.pieces}", "kinetic energy kept": f"{model.get('kinetic_energy') / kinetic:.2f}",
+                 "rebound / impact velocity": f"{rebound:.2f}"}
+        m.verdict = ("diverged" if not whole else
+                     "bounces whole" if m.pieces == 2 and rebound > 0 else
+                     "stays stuck together" if m.pieces == 1 else f"breaks into {m.pieces}")
+        m.colour, m.colour_name = m.labels % 10, "piece"
+        return m
+
+
+def sample_under(context, law, pressure):
+    """The sample after a second under that pressure; true when it has shortened by more than 2 %."""
+    soil = material("mohr_coulomb", 2000, 1e7, 10e3, 20.0)
+    model = model_of(context, law, [(0, 0), (1, 0), (1, 2), (0, 2)], soil, 1 / 15,
+                     [(vbgpd.Boundary.ROLLER, "base")], weightless=True, pressure=pressure)
+    status, _ = job_of(model, 1.0)
+    top = model.field("reference_position")[:, 1] > 1.9
+    return model, status, bool(model.field("displacement")[top, 1].mean() < -0.04)
+
+
+def compression(context, law):
+    """Soil sample 1 m x 2 m, c 10 kPa, phi 20 degrees, on a smooth base under a pressure on its top; the greatest it
+    bears for a second (within 1.6 %) against 2 c cos phi / (1 - sin phi); the rest of the row at 1.1 times that."""
+    phi = math.radians(20)
+    strength = 2 * 10e3 * math.cos(phi) / (1 - math.sin(phi))
+    bears, fails = 0.0, 2.0
+    while fails - bears > 0.02:
+        middle = (bears + fails) / 2
+        model, _, failed = sample_under(context, law, middle * strength)
+        model.close()
+        bears, fails = (bears, middle) if failed else (middle, fails)
+    peak = (bears + fails) / 2
+    with sample_under(context, law, 1.1 * strength)[0] as model:
+        m = Measured(model, strength, 1)
+        m.own = {"peak / closed form": f"{peak:.2f}"}
+        m.verdict = ("never fails" if bears > 1.9 else "finds the peak" if abs(peak - 1) < 0.05 else
+                     f"peak {100 * (peak - 1):+.0f} %")
+        m.colour, m.colour_name = m.strain, "plastic shear strain"
+        return m
+
+
+def job_of(model, seconds):
+    with vbgpd.Job.runout(model, end_time=float(seconds)) as job:
+        try:
+            job.run()
+        except vbgpd.Error as error:
+            if error.status != vbgpd.Status.E_DIVERGED:
+                raise
+        return job.get_text("status"), {name: job.get(name) for name in ("crest_settlement", "toe_displacement",
+                                                                         "runout_distance")}
+
+
+def cut(context, law):
+    """Vertical cut of 10 m, c 5 kPa, phi 25 degrees, runs out over its rough base."""
+    soil = material("mohr_coulomb", 1998, 1e7, 5e3, 25.0)
+    with model_of(context, law, [(0, 0), (10, 0), (10, 10), (0, 10)], soil, 0.5,
+                  [(vbgpd.Boundary.FIXED, "base"), (vbgpd.Boundary.ROLLER, "left")]) as model:
+        status, _ = job_of(model, 15)
+        m = Measured(model, 1998 * GRAVITY * 10, 1)
+        kept = model.get("kinetic_energy") / max(model.get("peak_kinetic_energy"), 1e-300)
+        m.own = {"q995, m": f"{numpy.quantile(m.x[:, 0], 0.995):.1f}", "KE end / peak": f"{kept:.0e}"}
+        m.verdict = verdict_of_soil(status, m)
+        m.colour, m.colour_name = m.moved, "displacement, m"
+        return m
+
+
+def slope_model(context, law):
+    outline = [(0, 0), (60, 0), (60, 5), (35, 5), (25, 15), (0, 15)]
+    return model_of(context, law, outline, material("mohr_coulomb", 2000, 1e7, 8e3, 15.0), 0.5,
+                    [(vbgpd.Boundary.FIXED, "base"), (vbgpd.Boundary.ROLLER, "left"),
+                     (vbgpd.Boundary.ROLLER, "right")])
+
+
+def slope(context, law):
+    """Slope of 10 m at 45 degrees on 5 m of the same soil, c 8 kPa, phi 15 degrees: far too weak, it slides."""
+    with slope_model(context, law) as model:
+        status, shape = job_of(model, 8)
+        m = Measured(model, 2000 * GRAVITY * 10, 1)
+        m.own = {"crest settles, m": f"{shape['crest_settlement']:.2f}",
+                 "toe moves, m": f"{shape['toe_displacement']:.2f}",
+                 "farthest particle moves, m": f"{m.moved.max():.1f}"}
+        m.verdict = verdict_of_soil(status, m)
+        m.colour, m.colour_name = m.moved, "displacement, m"
+        return m
+
+
+def verdict_of_soil(status, m):
+    faults = []
+    if status == "DIVERGED":
+        faults.append("diverged")
+    if m.lost > 0.005 * len(m.x):
+        faults.append(f"sheds {m.lost} particles")
+    if m.least < 0.5:
+        faults.append("clumps")
+    if m.noise > 0.05:
+        faults.append("noisy stress")
+    return ", ".join(faults) or "one mass, smooth"
+
+
+def cost(context, law):
+    """The slope again, its first 400 steps: processor time of one thread."""
+    with slope_model(context, law) as model:
+        model.step(50)
+        started = time.process_time()
+        model.step(400)
+        seconds = time.process_time() - started
+        n = model.get("particles")
+        return [law, f"{n:.0f}", f"{400 * n / seconds / 1e6:.2f}", f"{model.get('bytes') / n:.0f}"]
+
+
+CASES = {"bar": stretched_bar, "rings": rings, "compression": compression, "cut": cut, "slope": slope}
+
+
+def draw(name, results, directory):
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    wide = name in ("bar", "slope")
+    columns = 2 if wide else 3
+    rows = math.ceil(len(results) / columns)
+    x = numpy.vstack([numpy.clip(m.x, *numpy.quantile(m.x, [0.005, 0.995], axis=0)) for _, m in results])
+    low, high = x.min(axis=0), x.max(axis=0)
+    room = 0.05 * (high - low).max()
+    tall = 9 / columns * (high[1] - low[1] + 2 * room) / (high[0] - low[0] + 2 * room)
+    figure, axes = pyplot.subplots(rows, columns, figsize=(9.5, rows * (min(tall, 4) + 0.3)), squeeze=False,
+                                   layout="constrained")
+    if name == "rings":
+        scale = dict(vmin=0, vmax=9, cmap="tab10")
+    else:
+        scale = dict(vmin=0, vmax=max(numpy.quantile(results[0][1].colour, 0.98), 1e-9), cmap="viridis")
+    for axis in axes.flat:
+        axis.set_axis_off()
+    for axis, (law, m) in zip(axes.flat, results):
+        size = (72 * 9 / columns / (high[0] - low[0] + 2 * room) * m.dx * 0.9) ** 2
+        dots = axis.scatter(*m.x.T, c=m.colour, s=min(size, 30), linewidths=0, **scale)
+        axis.set_aspect("equal")
+        axis.set_xlim(low[0] - room, high[0] + room)
+        axis.set_ylim(low[1] - room, high[1] + room)
+        axis.set_title(f"{law}: {m.verdict}", fontsize=8)
+    if name != "rings":
+        figure.colorbar(dots, ax=axes, label=results[0][1].colour_name, shrink=0.7)
+    figure.savefig(directory / f"{name}.png", dpi=90)
+    pyplot.close(figure)
+
+
+def main():
+    parse = argparse.ArgumentParser(usage=__doc__)
+    parse.add_argument("library")
+    parse.add_argument("cases", nargs="*")
+    parse.add_argument("--pictures", type=pathlib.Path)
+    parse.add_argument("--law", action="append")
+    options = parse.parse_args()
+    for name, case in CASES.items():
+        if options.cases and name not in options.cases:
+            continue
+        print(f"\n**{name}.** {case.__doc__}\n")
+        results = []
+        for law in options.law or LAWS:
+            with vbgpd.Context(library=os.path.abspath(options.library)) as context:
+                m = case(context, law)
+            if not results:
+                titles = ["law", "particles", "least distance / dx", "lost", "noise", "residual", *m.own, "verdict"]
+                print("| " + " | ".join(titles) + " |\n|" + "---|" * len(titles))
+            results.append((law, m))
+            cells = [law, f"{len(m.x)}", f"{m.least:.2f}", f"{m.lost}", f"{m.noise:.3f}", f"{100 * m.residual:.2f} %",
+                     *m.own.values(), m.verdict]
+            print("| " + " | ".join(cells) + " |", flush=True)
+        if options.pictures:
+            draw(name, results, options.pictures)
+    if not options.cases or "cost" in options.cases:
+        print(f"\n**cost.** {cost.__doc__}\n\n| law | particles | M particle-steps / s | bytes / particle |\n" + "|---" * 4 + "|")
+        for law in options.law or LAWS:
+            with vbgpd.Context(library=os.path.abspath(options.library)) as context:
+                print("| " + " | ".join(cost(context, law)) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
