@@ -43,8 +43,7 @@ VBGPD_INLINE void add_soil(const FlowData& d, const FlowControls& c, int i, std:
   s.hx += drag * x, s.hy += drag * y;
   // guard: kappa (K + 4G/3) (b s - r), s the mean side of the two particles
   if constexpr (PairLaw::kGuard) {
-    Pack overlap = larger(0.5 * c.guard_distance * (self.d + end.d) - r, Pack{});
-    if constexpr (PairLaw::kSprings) overlap = select(joined > Pack{}, Pack{}, overlap);
+    const Pack overlap = larger(0.5 * c.guard_distance * (self.d + end.d) - r, Pack{});
     if (any(overlap > Pack{})) {
       const Pack push = 0.5 * c.guard_stiffness * (self.c + end.c) * overlap, over_r = push / r;
       s.sx -= over_r * x, s.sy -= over_r * y;

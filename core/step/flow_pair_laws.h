@@ -37,7 +37,8 @@ struct ArtificialStress : PlainSph {
 };
 
 /// Chakraborty & Shaw (2013): springs join immediate neighbours at the release and break when stretched too far. The
-/// sums over so few neighbours need the moment matrix. The particles do not yield; pairs without a spring touch.
+/// sums over so few neighbours need the moment matrix. The particles do not yield; particles that touch repel each
+/// other, joined or not.
 struct PseudoSprings {
   static constexpr bool kCorrected = true, kBonds = false, kGapMemory = false, kGuard = true;
   static constexpr bool kArtificialStress = false, kSprings = true, kDies = false;

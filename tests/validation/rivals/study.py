@@ -143,7 +143,7 @@ def rings_outline(radius, width, gap, dx):
 def rings(context, law):
     """Elastic rings of radii 3 and 4 m that meet at 0.118 c (Gray, Monaghan & Swift 2001)."""
     soil = material("elastic", 1000, 1e6)
-    wave, dx = wave_speed(soil), 0.2
+    wave, dx = wave_speed(soil), 0.15
     outline = rings_outline(4, 1, 4 * dx, dx)
     with model_of(context, law, outline, soil, dx, [(vbgpd.Boundary.FREE, outline[5:7])], weightless=True) as model:
         x = model.field("position")
@@ -166,31 +166,32 @@ def rings(context, law):
 
 
 def sample_under(context, law, pressure):
-    """The sample after a second under that pressure; true when it has shortened by more than 2 %."""
+    """The sample after 0.6 s under that pressure, damped; true when it has shortened by more than 1.5 %."""
     soil = material("mohr_coulomb", 2000, 1e7, 10e3, 20.0)
     model = model_of(context, law, [(0, 0), (1, 0), (1, 2), (0, 2)], soil, 1 / 15,
                      [(vbgpd.Boundary.ROLLER, "base")], weightless=True, pressure=pressure)
-    status, _ = job_of(model, 1.0)
+    model.set("damping", 0.5)
+    whole = march(model, 0.6)
     top = model.field("reference_position")[:, 1] > 1.9
-    return model, status, bool(model.field("displacement")[top, 1].mean() < -0.04)
+    return model, bool(model.field("displacement")[top, 1].mean() < -0.03) or not whole
 
 
 def compression(context, law):
     """Soil sample 1 m x 2 m, c 10 kPa, phi 20 degrees, on a smooth base under a pressure on its top; the greatest it
-    bears for a second (within 1.6 %) against 2 c cos phi / (1 - sin phi); the rest of the row at 1.1 times that."""
+    bears (within 2 %) against 2 c cos phi / (1 - sin phi); the rest of the row at 1.1 times that closed form."""
     phi = math.radians(20)
     strength = 2 * 10e3 * math.cos(phi) / (1 - math.sin(phi))
-    bears, fails = 0.0, 2.0
-    while fails - bears > 0.02:
+    bears, fails = 0.4, 1.6
+    while fails - bears > 0.05:
         middle = (bears + fails) / 2
-        model, _, failed = sample_under(context, law, middle * strength)
+        model, failed = sample_under(context, law, middle * strength)
         model.close()
         bears, fails = (bears, middle) if failed else (middle, fails)
     peak = (bears + fails) / 2
     with sample_under(context, law, 1.1 * strength)[0] as model:
         m = Measured(model, strength, 1)
         m.own = {"peak / closed form": f"{peak:.2f}"}
-        m.verdict = ("never fails" if bears > 1.9 else "finds the peak" if abs(peak - 1) < 0.05 else
+        m.verdict = ("bears all of 1.6" if fails == 1.6 else "finds the peak" if abs(peak - 1) <= 0.05 else
                      f"peak {100 * (peak - 1):+.0f} %")
         m.colour, m.colour_name = m.strain, "plastic shear strain"
         return m
@@ -223,7 +224,7 @@ def cut(context, law):
 
 def slope_model(context, law):
     outline = [(0, 0), (60, 0), (60, 5), (35, 5), (25, 15), (0, 15)]
-    return model_of(context, law, outline, material("mohr_coulomb", 2000, 1e7, 8e3, 15.0), 0.5,
+    return model_of(context, law, outline, material("mohr_coulomb", 2000, 1e7, 8e3, 15.0), 5 / 6,
                     [(vbgpd.Boundary.FIXED, "base"), (vbgpd.Boundary.ROLLER, "left"),
                      (vbgpd.Boundary.ROLLER, "right")])
 
