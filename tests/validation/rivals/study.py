@@ -3,7 +3,8 @@
 
 Usage: study.py LIBVBGPD.so [--pictures DIRECTORY] [--law NAME ...] [CASE ...]. For every case and law one row of a
 Markdown table; README.md beside it keeps the rows of a dated run. The laws are the names of the scene's `bond`; all of
-them move the same particles with the same kernel, soil law, walls and time step.
+them move the same particles with the same kernel, soil law, walls and time step. Colliding rings are a test of their
+own: tests/physics/runout_pair_laws_test.cpp.
 """
 import argparse
 import math
@@ -119,52 +120,6 @@ def stretched_bar(context, law):
         return m
 
 
-def rings_outline(radius, width, gap, dx):
-    """Two rings of whole cells as one simple polygon: each slit open, joined by a neck, both far thinner than a cell."""
-    def highest(column, r):
-        across = (column + 0.5) * dx
-        return max([k + 1 for k in range(round(r / dx)) if math.hypot(across, (k + 0.5) * dx) < r], default=0) * dx
-
-    def upper_half(r):
-        n = max(k for k in range(round(r / dx) + 1) if highest(k - 1, r) > 0)
-        return [(k * dx, highest(column, r)) for column in range(-n, n) for k in (column, column + 1)]
-
-    slit = 1e-3 * dx
-    outer, inner = upper_half(radius), upper_half(radius - width)
-    mirrored = [[(x, -y) for x, y in half] for half in (outer, inner)]
-    ends = [outer[0][0], inner[0][0]]
-    ring = ([(-ends[0], slit), *outer[::-1], (ends[0], slit), (ends[1], slit), *inner, *mirrored[1][::-1],
-             (ends[1], -slit), (ends[0], -slit), *mirrored[0], (-ends[0], -slit)])
-    centre = -ends[0] + gap / 2
-    both = [(x - centre, y) for x, y in ring] + [(centre - x, -y) for x, y in ring]
-    return [point for k, point in enumerate(both) if math.dist(point, both[k - 1]) > 1e-9]
-
-
-def rings(context, law):
-    """Elastic rings of radii 3 and 4 m that meet at 0.118 c (Gray, Monaghan & Swift 2001)."""
-    soil = material("elastic", 1000, 1e6)
-    wave, dx = wave_speed(soil), 0.15
-    outline = rings_outline(4, 1, 4 * dx, dx)
-    with model_of(context, law, outline, soil, dx, [(vbgpd.Boundary.FREE, outline[5:7])], weightless=True) as model:
-        x = model.field("position")
-        left = x[:, 0] < 0
-        velocity = numpy.zeros_like(x)
-        velocity[:, 0] = numpy.where(left, 0.059 * wave, -0.059 * wave)
-        model.write("velocity", velocity)
-        kinetic = model.get("kinetic_energy")
-        whole = march(model, 220 / wave)
-        m = Measured(model, soil["young_modulus"] * 0.059, 0)
-        mass, v = model.field("mass"), model.field("velocity")
-        rebound = -numpy.average(v[left, 0], weights=mass[left]) / (0.059 * wave)
-        m.own = {"pieces": f"{m.pieces}", "kinetic energy kept": f"{model.get('kinetic_energy') / kinetic:.2f}",
-                 "rebound / impact velocity": f"{rebound:.2f}"}
-        m.verdict = ("diverged" if not whole else
-                     "bounces whole" if m.pieces == 2 and rebound > 0 else
-                     "stays stuck together" if m.pieces == 1 else f"breaks into {m.pieces}")
-        m.colour, m.colour_name = m.labels % 10, "piece"
-        return m
-
-
 def sample_under(context, law, pressure):
     """The sample after 0.6 s under that pressure, damped; true when it has shortened by more than 1.5 %."""
     soil = material("mohr_coulomb", 2000, 1e7, 10e3, 20.0)
@@ -173,7 +128,8 @@ def sample_under(context, law, pressure):
     model.set("damping", 0.5)
     whole = march(model, 0.6)
     top = model.field("reference_position")[:, 1] > 1.9
-    return model, bool(model.field("displacement")[top, 1].mean() < -0.03) or not whole
+    # the median: loaded particles of a failed corner may fly off with their load
+    return model, bool(numpy.median(model.field("displacement")[top, 1]) < -0.03) or not whole
 
 
 def compression(context, law):
@@ -191,8 +147,9 @@ def compression(context, law):
     with sample_under(context, law, 1.1 * strength)[0] as model:
         m = Measured(model, strength, 1)
         m.own = {"peak / closed form": f"{peak:.2f}"}
-        m.verdict = ("bears all of 1.6" if fails == 1.6 else "finds the peak" if abs(peak - 1) <= 0.05 else
-                     f"peak {100 * (peak - 1):+.0f} %")
+        apart = m.lost > 0.05 * len(m.x)
+        m.verdict = (f"peak {100 * (peak - 1):+.0f} %" if fails < 1.6 else
+                     "falls apart, no peak" if apart else "bears all of 1.6")
         m.colour, m.colour_name = m.strain, "plastic shear strain"
         return m
 
@@ -266,7 +223,7 @@ def cost(context, law):
         return [law, f"{n:.0f}", f"{400 * n / seconds / 1e6:.2f}", f"{model.get('bytes') / n:.0f}"]
 
 
-CASES = {"bar": stretched_bar, "rings": rings, "compression": compression, "cut": cut, "slope": slope}
+CASES = {"bar": stretched_bar, "compression": compression, "cut": cut, "slope": slope}
 
 
 def draw(name, results, directory):
@@ -276,16 +233,13 @@ def draw(name, results, directory):
     wide = name in ("bar", "slope")
     columns = 2 if wide else 3
     rows = math.ceil(len(results) / columns)
-    x = numpy.vstack([numpy.clip(m.x, *numpy.quantile(m.x, [0.005, 0.995], axis=0)) for _, m in results])
+    x = results[0][1].x  # what flies out of the first law's picture is in the table
     low, high = x.min(axis=0), x.max(axis=0)
-    room = 0.05 * (high - low).max()
+    room = 0.15 * (high - low).max()
     tall = 9 / columns * (high[1] - low[1] + 2 * room) / (high[0] - low[0] + 2 * room)
     figure, axes = pyplot.subplots(rows, columns, figsize=(9.5, rows * (min(tall, 4) + 0.3)), squeeze=False,
                                    layout="constrained")
-    if name == "rings":
-        scale = dict(vmin=0, vmax=9, cmap="tab10")
-    else:
-        scale = dict(vmin=0, vmax=max(numpy.quantile(results[0][1].colour, 0.98), 1e-9), cmap="viridis")
+    scale = dict(vmin=0, vmax=max(numpy.quantile(results[0][1].colour, 0.98), 1e-9), cmap="viridis")
     for axis in axes.flat:
         axis.set_axis_off()
     for axis, (law, m) in zip(axes.flat, results):
@@ -295,10 +249,12 @@ def draw(name, results, directory):
         axis.set_xlim(low[0] - room, high[0] + room)
         axis.set_ylim(low[1] - room, high[1] + room)
         axis.set_title(f"{law}: {m.verdict}", fontsize=8)
-    if name != "rings":
-        figure.colorbar(dots, ax=axes, label=results[0][1].colour_name, shrink=0.7)
-    figure.savefig(directory / f"{name}.png", dpi=90)
+    figure.colorbar(dots, ax=axes, label=results[0][1].colour_name, shrink=0.7)
+    picture = directory / f"{name}.png"
+    figure.savefig(picture, dpi=90)
     pyplot.close(figure)
+    from PIL import Image
+    Image.open(picture).convert("RGB").quantize(64).save(picture, optimize=True)
 
 
 def main():
