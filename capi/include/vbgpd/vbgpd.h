@@ -182,8 +182,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_load(vbgpd_profile*, double 
 /* Named numbers; id is ignored for VBGPD_OBJECT_PROFILE. NaN takes a value back to "absent". */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_f64(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double value);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_f64(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double* value);
-/* Named texts: PROFILE "name", "source", "bond" (virtual_bond | none; in run-outs
- * also sph | sph_artificial_stress | pseudo_spring | gpd), "kernel" (wendland_c2 | cubic_spline);
+/* Named texts: PROFILE "name", "source", "bond" (virtual_bond | none; run-outs also sph | sph_artificial_stress | pseudo_spring | gpd), "kernel" (wendland_c2 | cubic_spline);
  * MATERIAL "name", "law" (elastic | drucker_prager | mohr_coulomb | undrained); LAYER "material"; BOUNDARY "name", "side". */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_text(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, const char* value, int64_t value_len);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_text(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
