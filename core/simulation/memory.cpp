@@ -20,7 +20,7 @@ struct Shape {
 };
 
 Shape shape_of(const SceneDef& scene) {
-  Shape s{*bond_law_by_name(scene.bond) != BondLaw::kNone};
+  Shape s{bond_law_by_name(scene.bond)->at_rest != BondLaw::kNone};
   for (const MaterialDef& m : scene.materials) {
     if (m.law == "elastic") continue;
     s.plastic = true;
@@ -73,7 +73,7 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
   constexpr double kCopies = 3;  // the state, that of the monitors and that of the energy audit
   const double state = 4 + (shape.volumetric ? 1 : 0) + (shape.plastic && !shape.bonded ? 3 : 0);
   const double model = 13 + (shape.gradient ? 1 : 0);
-  const double scratch = 11 + 5 + (shape.bonded ? 2 : 0) + (shape.volumetric ? 2 : 0);
+  const double scratch = 11 + 5 + (shape.bonded ? 2 : 0) + (shape.volumetric ? 4 : 0);
   const double record = shape.plastic && shape.bonded ? 3.0 * width * sizeof(double) : 0;
   return storage * (sizeof(double) * (model + scratch + kCopies * state) + 2 * sizeof(std::int32_t)) +
          particles * (sizeof(Seed) + 2 * sizeof(std::int32_t)) + blocks * sizeof(Block) +
