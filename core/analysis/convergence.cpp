@@ -153,14 +153,16 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
     if (!doubt.empty()) e.error = std::max(e.error, difference + noise), e.reason += "; " + doubt;
   }
   constexpr double kResolved = 2;
-  // differences to a grid that does not see a layer follow no order: the limit lies between the value of the finest
-  // grid (a high order) and that of first order
+  // Bonds as long as a layer is thick know both its sides and nothing of itself. Differences to a grid whose support
+  // radius (2.6 spacings) is that long follow no order: the limit lies between the value of the finest grid (a high
+  // order) and that of first order.
+  constexpr double kSupport = 2.6;
   if (e.status == "OK" && coarse != nullptr && cells >= kResolved &&
-      thinnest.thickness / spacing_of(*coarse) < kResolved) {
+      thinnest.thickness / spacing_of(*coarse) < kSupport) {
     e.value = (fine.factor_of_safety + e.value) / 2;
     e.error = difference / 2 + noise;
-    e.reason = grids_text(levels.size()) + "; the coarser one does not see the layer of '" + thinnest.material + "' (" +
-               number_text(thinnest.thickness, 3) +
+    e.reason = grids_text(levels.size()) + "; bonds of the coarser one reach across the layer of '" +
+               thinnest.material + "' (" + number_text(thinnest.thickness, 3) +
                " m), so that the order is unknown: the middle between its limits, which are the ends of the estimate";
   }
   if (cells < kResolved)
