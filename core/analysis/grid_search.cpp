@@ -23,7 +23,8 @@ double slowness(const SceneDef& scene) {
     if (m.law == "elastic") continue;
     softest = std::min(softest, m.young_modulus), stiffest = std::max(stiffest, m.young_modulus);
   }
-  return stiffest > softest ? std::sqrt(stiffest / softest) : 1;
+  constexpr double kMost = 32;  // a thousandfold stiffness; beyond that nobody would wait
+  return stiffest > softest ? std::min(std::sqrt(stiffest / softest), kMost) : 1;
 }
 
 }  // namespace
