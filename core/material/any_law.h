@@ -26,9 +26,10 @@ inline bool yields(const AnyLaw& law) {
   return std::visit([](auto l) { return decltype(l)::yields; }, law);
 }
 
-/// Poisson's ratio that the bulk modulus is taken with. The mean stress of a nearly incompressible body is noise (measured:
-/// 2, 4, 7 % of gamma H at 0.49, 0.499, 0.4999), which a strength that depends on it would feel: it is limited to that
-/// of 0.49 in soils with friction or a tension cut-off. Factors of safety do not depend on elastic constants.
+/// Poisson's ratio that the bulk modulus is taken with. The mean stress of a nearly incompressible body is noise
+/// (measured: 2, 4, 7 % of gamma H at 0.49, 0.499, 0.4999), which a strength that depends on it would feel: it is
+/// limited to that of 0.49 in soils with friction or a tension cut-off. Factors of safety do not depend on elastic
+/// constants.
 inline constexpr Real kLargestPoissonRatio = 0.49;
 inline Real effective_poisson_ratio(const AnyLaw& law, Real poisson_ratio, const Strength& strength) {
   const bool feels_pressure = yields(law) && (strength.friction_angle > 0 || std::isfinite(strength.tension_cutoff));

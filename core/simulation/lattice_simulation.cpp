@@ -161,10 +161,8 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
   audit_.valid = false;
   const Workers::Session session(workers_);
   if (!relaxing_mobility_x_.present()) {
-    Array x, y;  // all or nothing, should memory run out here
-    set_mobility(model_.scaled_mass, x, y);
     relaxing_frequency_ = highest_frequency(model_.scaled_mass);
-    relaxing_mobility_x_ = std::move(x), relaxing_mobility_y_ = std::move(y);
+    set_mobility(model_.scaled_mass, relaxing_mobility_x_, relaxing_mobility_y_);  // last: they say that both are there
   }
   Controls c;
   c.mobility_x = relaxing_mobility_x_.data(), c.mobility_y = relaxing_mobility_y_.data();

@@ -29,6 +29,18 @@ bool readable(const Simulation& simulation) {
   return true;
 }
 
+/// So many dynamic steps, and whether all that can be read is finite after them.
+Outcome stepped(Simulation& simulation, std::int64_t steps) {
+  const StepReport r = simulation.step(steps, nullptr);
+  Outcome o;
+  o.steps = static_cast<double>(r.steps);
+  o.verdict = r.status == Status::kDiverged ? "diverged" : "stable";
+  if (!readable(simulation)) o.verdict += ", unreadable";
+  if (r.status == Status::kOk) o.energy_residual = simulation.get("energy_residual");
+  else o.note = "back at its last good step, max |u| " + std::to_string(simulation.get("max_displacement")) + " m";
+  return o;
+}
+
 /// A slope let go under its weight, at a share of the stable time step.
 Case time_step(const char* law, double factor, bool fast) {
   char name[80];
@@ -38,14 +50,7 @@ Case time_step(const char* law, double factor, bool fast) {
   c.run = [law, factor] {
     const auto simulation = compiled(with_law(law));
     simulation->set("time_step_factor", factor);
-    const StepReport r = simulation->step(4000, nullptr);
-    Outcome o;
-    o.steps = static_cast<double>(r.steps);
-    o.verdict = r.status == Status::kDiverged ? "diverged" : "stable";
-    if (!readable(*simulation)) o.verdict += ", unreadable";
-    if (r.status == Status::kOk) o.energy_residual = simulation->get("energy_residual");
-    else o.note = "back at its last good step, max |u| " + std::to_string(simulation->get("max_displacement")) + " m";
-    return o;
+    return stepped(*simulation, 4000);
   };
   if (factor > 0.3) c.known = "residual grows with the time step";
   return c;
@@ -188,14 +193,7 @@ Case impact(const char* where, bool runs_out, double share) {
     for (std::size_t k = 1; k < v.size(); k += 2) v[k] = -share * wave;
     lattice->write(find_field("velocity"), v);
     const auto flow = runs_out ? make_runout(*lattice) : nullptr;
-    Simulation* const simulation = runs_out ? flow.get() : lattice.get();
-    const StepReport r = simulation->step(3000, nullptr);
-    Outcome o;
-    o.steps = static_cast<double>(r.steps);
-    o.verdict = r.status == Status::kDiverged ? "diverged" : "stable";
-    if (!readable(*simulation)) o.verdict += ", unreadable";
-    if (r.status == Status::kOk) o.energy_residual = simulation->get("energy_residual");
-    return o;
+    return stepped(runs_out ? *flow : *lattice, 3000);
   };
   return c;
 }
