@@ -132,7 +132,9 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
   const Level& fine = levels.back();
   const double half = half_bracket(fine), cells = thinnest.thickness / spacing_of(fine);
   Estimate e;
-  e.status = "OK", e.value = fine.factor_of_safety, e.error = half;
+  // non-associated soil may flow in jerks: the factor strays with them
+  const double strays = fine.unsteadiness;
+  e.status = "OK", e.value = fine.factor_of_safety, e.error = half + strays;
   e.reason = "bracketed on one grid; the discretisation error is not estimated";
   const Level* const coarse = coarser(levels, fine);
   double difference = 0, noise = half;
@@ -141,7 +143,7 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
     difference = std::fabs(e.value - fine.factor_of_safety);
     // the brackets enter the extrapolated value: half of each, magnified like the value itself
     const double magnified = 1 / (spacing_of(*coarse) / spacing_of(fine) - 1);
-    noise = half * (1 + magnified) + half_bracket(*coarse) * magnified;
+    noise = half * (1 + magnified) + half_bracket(*coarse) * magnified + strays;
     e.error = noise + difference / 2;
     e.reason = grids_text(levels.size()) + " and extrapolated at first order";
     const Level* third = coarser(levels, *coarse);
@@ -154,19 +156,20 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
   }
   constexpr double kResolved = 2;
   // Bonds as long as a layer is thick know both its sides and nothing of itself. Differences to a grid whose support
-  // radius (2.6 spacings) is that long follow no order: the limit lies between the value of the finest grid (a high
-  // order) and that of first order.
-  constexpr double kSupport = 2.6;
+  // radius (2.6 spacings) is that long follow no order: the limit may lie anywhere between the value of the finest grid
+  // (a high order) and that of first order. The coarse grid has hardly seen the layer and stands too near: below first
+  // order lies half as much again.
+  constexpr double kSupport = 2.6, kAgain = 1.5;
   if (e.status == "OK" && coarse != nullptr && cells >= kResolved &&
       thinnest.thickness / spacing_of(*coarse) < kSupport) {
     e.value = (fine.factor_of_safety + e.value) / 2;
-    e.error = difference / 2 + noise;
+    e.error = (kAgain - 0.5) * difference + noise;
     e.reason = grids_text(levels.size()) + "; bonds of the coarser one reach across the layer of '" +
                thinnest.material + "' (" + number_text(thinnest.thickness, 3) +
-               " m), so that the order is unknown: the middle between its limits, which are the ends of the estimate";
+               " m), so that the order is unknown: the middle between its limits, and the estimate reaches beyond both";
   }
   if (cells < kResolved)
-    refuse(e, fine, "THIN_LAYER", std::max(e.error, difference + noise),
+    refuse(e, fine, "THIN_LAYER", std::max(e.error, kAgain * difference + noise),
            "the layer of '" + thinnest.material + "' is " + number_text(thinnest.thickness, 3) + " m thick, only " +
                number_text(cells, 2) + " spacings of the finest grid (2 are needed)");
   e.error = std::max(e.error, half);

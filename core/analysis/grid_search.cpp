@@ -115,7 +115,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
     standing_ = simulation_.save();
   }
   if (trial.verdict == Verdict::kFailed) {
-    if (!(failed_ <= factor)) failed_ = factor, failing_ = simulation_.save();
+    if (!(failed_ <= factor)) failed_ = factor, failing_ = simulation_.save(), unsteadiness_ = trial.unsteadiness;
     displacement_level_ = trial.displacement_level;
     constexpr double kGathers = 0.5;
     softened_ = trial.unbalanced_force_slope > kGathers;

@@ -32,6 +32,8 @@ class GridSearch {
   double failed() const { return failed_; }
   /// Displacement level of the last failed trial.
   double displacement_level() const { return displacement_level_; }
+  /// Of the flow at the failed end.
+  double unsteadiness() const { return unsteadiness_; }
   std::int64_t response_steps() const { return response_; }
 
  private:
@@ -57,6 +59,7 @@ class GridSearch {
   std::shared_ptr<SavedState> gravity_, standing_, failing_;
   std::int64_t response_ = 0;
   double elastic_displacement_ = 0, stable_ = kNone, failed_ = kNone, flow_ = kNone, displacement_level_ = kNone;
+  double unsteadiness_ = 0;
   Verdict verdict_ = Verdict::kUndecided;
   SearchEnd end_ = SearchEnd::kNotConverged;
   std::string reason_;

@@ -34,7 +34,8 @@ struct Trial {
   double strength_reduction_factor = 1;
   double unbalanced_force_ratio = 0, unbalanced_force_slope = 0;
   double displacement_level = 0, displacement_growth = 0;
-  double power_ratio = kNone;
+  double power_ratio = kNone;  ///< F_e = F (internal power / external power)
+  double unsteadiness = 0;     ///< how far F_e strayed from steady while the failure showed (RMS about a line)
   std::int64_t steps = 0;
   double wall_seconds = 0;
 };
@@ -47,6 +48,7 @@ struct Level {
   double estimate = kNone, error_estimate = kNone;  ///< from this grid and the coarser ones
   double sliding_area = kNone;                      ///< of the mechanism on this grid, m2
   double misfit = 0;                                ///< of key lines from cell edges, in coarse cells
+  double unsteadiness = 0;                          ///< of the flow at the failed end of the bracket
 };
 
 struct JobResult {

@@ -41,6 +41,14 @@ bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& la
   trial.unbalanced_force_slope = earlier > 0 && later > 0 ? 2 * std::log(later / earlier) : 0;
   const double power = mean(span / 2, 0, &Window::power_ratio),
                hardening = 2 * (power - mean(span, span / 2, &Window::power_ratio)) / times;
+  // F_e of a jerky flow strays: RMS about the line through its two means
+  double squares = 0;
+  for (std::size_t k = 0; k < span; ++k) {
+    const double line =
+        power + (hardening * times / 2) * (0.5 - 2 * static_cast<double>(k) / static_cast<double>(span));
+    squares += std::pow(history[history.size() - 1 - k].power_ratio - line, 2);
+  }
+  trial.unsteadiness = trial.strength_reduction_factor * std::sqrt(squares / static_cast<double>(span));
   trial.displacement_growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
   const bool plateau =
       trial.unbalanced_force_slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
@@ -76,7 +84,7 @@ Slices TrialRun::run(Trial& trial, Progress& progress) {
     at_rest = r.unbalanced_force_ratio < rules_.equilibrium ? at_rest + 1 : 0;
     if (at_rest >= rules_.equilibrium_windows) {
       trial.verdict = Verdict::kStable;
-      trial.unbalanced_force_slope = trial.displacement_growth = 0;
+      trial.unbalanced_force_slope = trial.displacement_growth = trial.unsteadiness = 0;
       co_return;
     }
     // the third signal is looked at once the first two have held for a quarter of a response time more
