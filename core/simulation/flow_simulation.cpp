@@ -91,7 +91,6 @@ void FlowSimulation::set_factor(Real factor) {
     law.constants.shear_modulus = model_.moduli[k].shear_modulus;
     law.constants.bulk_modulus = model_.moduli[k].bulk_modulus;
     law.algorithm = static_cast<int>(algorithm_of(model_.law[k]));
-    law.friction = std::tan(strength.friction_angle), law.adhesion = strength.cohesion;
     if (model_.bond == FlowBondLaw::kPseudoSpring && yields(model_.law[k])) {
       // it does not yield: its springs break at the uniaxial strength in tension, or at the tension cut-off if lower
       const Real sine = std::sin(strength.friction_angle);
@@ -100,9 +99,7 @@ void FlowSimulation::set_factor(Real factor) {
       law.breaking_stretch = std::min(tension, strength.tension_cutoff) * (3 * b + g) / (9 * b * g);
       law.constants = model_.moduli[k], law.algorithm = 0;
     }
-    if (!yields(model_.law[k])) law.adhesion = kInfinity;  // what never yields does not slide on a rough wall either
     laws_.push_back(law);
-    elastic_laws_[k].adhesion = kInfinity;
   }
 }
 
@@ -165,6 +162,7 @@ FlowControls FlowSimulation::controls() const {
   c.guard_distance = o.guard_distance;
   c.guard_stiffness = o.guard_stiffness;
   c.diffusion = 2 * o.stress_diffusion * h;
+  c.disturbed = o.disturbed;
   c.smallest_eigenvalue = o.smallest_eigenvalue;
   if (model_.bond == FlowBondLaw::kPseudoSpring) c.smallest_eigenvalue /= 4;  // a corner has three springs, not eight
   c.dashpot = 0.2 * model_.spacing;

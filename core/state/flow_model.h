@@ -17,7 +17,8 @@ namespace vbgpd {
 struct FlowOptions {
   Real bond_stiffness = 0.3;         ///< chi of soil: filters noise, decays with plastic flow
   Real elastic_bond_stiffness = 1;   ///< chi of a material that never yields: its bonds carry tension
-  Real stress_diffusion = 0.05;      ///< zeta, between pairs that yield
+  Real stress_diffusion = 0.05;      ///< zeta, in soil that yields or is disturbed
+  Real disturbed = 0.01;             ///< plastic shear strain beyond which soil counts as disturbed
   Real guard_distance = 0.8;         ///< b: particles closer than b spacings repel each other
   Real guard_stiffness = 0.5;        ///< kappa, of K + 4G/3
   Real viscosity = 0.4;              ///< alpha c / sqrt(g H), on approach only

@@ -11,9 +11,8 @@ namespace vbgpd {
 /// A soil as the step sees it.
 struct FlowLaw {
   LawConstants constants;
-  int algorithm = 0;                  ///< 0 cone, 1 hexagon
-  double friction = 0, adhesion = 0;  ///< of its contact with a rough wall: tan phi, Pa
-  double breaking_stretch = 1e300;    ///< of a pseudo-spring
+  int algorithm = 0;                ///< 0 cone, 1 hexagon
+  double breaking_stretch = 1e300;  ///< of a pseudo-spring
 };
 
 /// What drives a run-out step: it changes between steps, never inside one.
@@ -27,6 +26,7 @@ struct FlowControls {
   double guard_distance = 0;   ///< b, in sides of particles
   double guard_stiffness = 0;  ///< kappa
   double diffusion = 0;        ///< 2 zeta h, m
+  double disturbed = 0;        ///< plastic shear strain beyond which soil goes on diffusing its stress
   double smallest_eigenvalue = 0;
   double dashpot = 0;                    ///< 0.2 dx: of the contact with a wall, times rho c
   double spring_reach = 0;               ///< pseudo-springs join pairs nearer than that, m

@@ -78,8 +78,9 @@ inline void press_ghosts(const FlowData& d) {
   }
 }
 
-/// Force of the walls on a particle nearer than half the guard distance: a spring with a dashpot across, and along a
-/// rough wall a spring limited by friction and adhesion (soil that carries no stress would otherwise slide for ever).
+/// Force of the walls on a particle nearer than half the guard distance: a spring with a dashpot across, and a spring
+/// along a rough wall, which allows no slip (soil that carries no stress does not feel the images and would slide for
+/// ever).
 struct ContactForce {
   double x = 0, y = 0;
 };
@@ -109,9 +110,7 @@ inline ContactForce wall_contact(const FlowData& d, const FlowControls& c, int i
     if (w.rough == 0 || held) continue;
     held = true;
     const double stiffness = law.constants.shear_modulus;
-    double stretch = d.wall_shear[i] + c.time_step * (m[2] * ny - m[3] * nx);
-    const double limit = normal * law.friction + law.adhesion * d.constants[4l * i + 3];
-    stretch = larger(smaller(stretch, limit / stiffness), -limit / stiffness);
+    const double stretch = d.wall_shear[i] + c.time_step * (m[2] * ny - m[3] * nx);
     d.wall_shear[i] = stretch;
     f.x -= stiffness * stretch * ny, f.y += stiffness * stretch * nx;
   }
