@@ -1049,6 +1049,14 @@ module vbgpd_c
       integer(c_int32_t) :: outcome
     end function vbgpd_model_set_boundary_velocity
 
+    function vbgpd_model_set_layer_active(model, layer_id, active) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: layer_id
+      integer(c_int32_t), value :: active
+      integer(c_int32_t) :: outcome
+    end function vbgpd_model_set_layer_active
+
     function vbgpd_model_boundary_reaction(model, boundary_id, fx, fy) result(outcome) bind(C)
       import
       type(c_ptr), value :: model

@@ -44,6 +44,7 @@ module vbgpd_models
     procedure :: write_grid
     procedure :: set_load
     procedure :: set_boundary_velocity
+    procedure :: set_layer_active
     procedure :: boundary_reaction
   end type vbgpd_model
 
@@ -451,6 +452,17 @@ contains
     call conclude(vbgpd_model_set_boundary_velocity(self%handle, boundary, velocity(1), velocity(2)), &
                   vbgpd_model_error, self%handle, stat, errmsg)
   end subroutine set_boundary_velocity
+
+  ! Excavation (.false.) and fill (.true.).
+  subroutine set_layer_active(self, layer, active, stat, errmsg)
+    class(vbgpd_model), intent(in) :: self
+    integer(c_int64_t), intent(in) :: layer
+    logical, intent(in) :: active
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    call conclude(vbgpd_model_set_layer_active(self%handle, layer, merge(1_c_int32_t, 0_c_int32_t, active)), &
+                  vbgpd_model_error, self%handle, stat, errmsg)
+  end subroutine set_layer_active
 
   subroutine boundary_reaction(self, boundary, force, stat, errmsg)
     class(vbgpd_model), intent(in) :: self

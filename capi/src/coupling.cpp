@@ -145,6 +145,28 @@ vbgpd_status vbgpd_model_set_boundary_velocity(vbgpd_model* model, int64_t bound
   });
 }
 
+vbgpd_status vbgpd_model_set_layer_active(vbgpd_model* model, int64_t layer_id, int32_t active) {
+  return with(model, [&](ModelObject& object) {
+    Simulation& simulation = object.engine->to_change();
+    require_id(layer_id, simulation.scene().layers.size(), "layer");
+    if (active != 0 && active != 1)
+      throw ArgumentError(3, Status::kArgument,
+                          "active is " + std::to_string(active) + "; it must be 1 (the soil is there) or 0.");
+    Layers layers = simulation.layers();
+    if (layers.empty()) layers.assign(simulation.scene().layers.size(), true);
+    layers[static_cast<std::size_t>(layer_id)] = active == 1;
+    try {
+      simulation.set_layers(layers);
+    } catch (const Error& error) {
+      Issue issue = error.issue();
+      if (issue.status == Status::kArgument) issue.object = ObjectKind::kLayer, issue.object_id = layer_id;
+      throw ArgumentError(2, issue);
+    }
+    object.engine->events.forget(simulation);
+    return Status::kOk;
+  });
+}
+
 vbgpd_status vbgpd_model_boundary_reaction(const vbgpd_model* model, int64_t boundary_id, double* fx, double* fy) {
   return with(model, [&](ModelObject& object) {
     const Simulation& simulation = *object.engine->simulation;

@@ -48,19 +48,17 @@ void require_object(std::int64_t id, std::size_t count, const char* what, int ar
                        std::to_string(count) + ", numbered from 0.");
 }
 
-/// Soil that a layer painted and no later one painted over.
+/// Soil of the cells that a layer holds most of; soil particles are numbered in the order of their seeds.
 std::vector<std::int64_t> of_layer(const Simulation& simulation, std::int64_t layer, int argument) {
-  const auto& layers = simulation.scene().layers;
-  require_object(layer, layers.size(), "layer", argument);
-  const auto boundary = field_rows(simulation, "boundary"), xy = field_rows(simulation, "reference_position");
-  return those(simulation.particle_count(), [&](std::size_t k) {
-    if (boundary[k] >= 0) return false;
-    for (std::size_t n = layers.size(); n-- > 0;) {
-      const Polygon& polygon = layers[n].polygon;
-      if (polygon.empty() || inside(polygon, xy[2 * k], xy[2 * k + 1])) return static_cast<std::int64_t>(n) == layer;
-    }
-    return false;
-  });
+  require_object(layer, simulation.scene().layers.size(), "layer", argument);
+  std::vector<std::int64_t> ids;
+  std::int64_t id = 0;
+  for (const Seed& seed : simulation.section().seeds) {
+    if (seed.hold != Hold::kFree) continue;
+    if (seed.layer == layer) ids.push_back(id);
+    ++id;
+  }
+  return ids;
 }
 
 }  // namespace

@@ -24,8 +24,11 @@ class CellGrid {
     values_.assign(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()),
                    std::numeric_limits<double>::quiet_NaN());
     std::size_t id = 0;  // soil particles are numbered in seed order, before the walls
-    for (const Seed& s : section.seeds)
-      if (s.hold == Hold::kFree) at(s.ix - x0_, s.iy - y0_) = by_id[id++];
+    for (const Seed& s : section.seeds) {
+      if (s.hold != Hold::kFree) continue;
+      if (s.active) at(s.ix - x0_, s.iy - y0_) = by_id[id];
+      ++id;
+    }
   }
   Index width() const { return x1_ - x0_ + 1; }
   Index height() const { return y1_ - y0_ + 1; }

@@ -311,7 +311,7 @@ SlipSurface slip_surface(const Simulation& simulation, const Instant& before, co
   smooth(line, 4);
   draw_to_band(line, rate, 2.5 * spacing);
   smooth(line, 4);
-  reach_surface(line, simulation.scene().exterior, 4 * spacing);
+  reach_surface(line, section.exterior, 4 * spacing);
   if (line.front().x() > line.back().x()) std::reverse(line.begin(), line.end());
   for (const Vec2& p : line) out.line.push_back({p.x(), p.y()});
   return out;

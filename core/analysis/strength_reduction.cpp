@@ -75,7 +75,7 @@ class StrengthReductionJob final : public SliceJob {
     if (!open_) closed_ = closed_ladder(levels == 0 ? 2 : levels);
     most_ = open_ ? kOpenLadder : closed_.size();
     const SceneDef& scene = simulation_.scene();
-    const std::vector<Real> thickness = material_thickness(scene, scene.spacing);
+    const std::vector<Real> thickness = material_thickness(scene, scene.spacing, simulation_.layers());
     if (std::count_if(thickness.begin(), thickness.end(), [](Real t) { return !std::isnan(t); }) < 2) return;
     for (std::size_t m = 0; m < thickness.size(); ++m)
       if (!(thickness[m] >= thinnest_.thickness) && !std::isnan(thickness[m]))

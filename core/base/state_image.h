@@ -27,7 +27,9 @@ struct StateImage {
   std::vector<Number> numbers;
   std::vector<Rows> rows;
   std::vector<PlasticBond> plastic;
-  std::uint64_t hash = 0;  ///< of the state it was made from
+  bool placed = false;                     ///< soil was placed on a section that had moved
+  std::vector<PlasticBond> placed_strain;  ///< the part of `plastic` that is the shape it was placed in
+  std::uint64_t hash = 0;                  ///< of the state it was made from
 };
 
 }  // namespace vbgpd

@@ -21,7 +21,8 @@ constexpr std::size_t kMostRows = 64, kMostNumbers = 64, kMostName = 64;
 
 /// Bytes the arrays need, with room for names and tables.
 std::size_t size_of(const Checkpoint& c, std::size_t scene) {
-  std::size_t sum = scene + 65536 + c.state.plastic.size() * sizeof(schema::PlasticBond);
+  std::size_t sum =
+      scene + 65536 + (c.state.plastic.size() + c.state.placed_strain.size()) * sizeof(schema::PlasticBond);
   for (const auto& r : c.state.rows) sum += r.values.size() * sizeof(double);
   return sum;
 }
@@ -78,15 +79,20 @@ StateImage state_from(const schema::Checkpoint& from) {
     return r.name == "displacement" && static_cast<std::int64_t>(r.values.size()) == 2 * state.particles;
   });
   if (!whole) refuse("lacks the displacements of its " + std::to_string(state.particles) + " particles");
-  if (static_cast<std::int64_t>(from.plastic()->size()) > std::max(state.bonds, state.particles))
-    refuse("has more plastic bonds than bonds");
-  require_aligned(from.plastic()->Data());
-  for (const schema::PlasticBond* p : *from.plastic()) {
-    if (p->a() < 0 || p->b() < 0 || p->a() >= state.particles || p->b() >= state.particles)
-      refuse("has a bond between particles that are none");
-    state.plastic.push_back(
-        {p->a(), p->b(), finite(p->xx(), "strain"), finite(p->yy(), "strain"), finite(p->xy(), "strain")});
-  }
+  const auto take_bonds = [&](const fb::Vector<const schema::PlasticBond*>& list,
+                              std::vector<StateImage::PlasticBond>& to) {
+    if (static_cast<std::int64_t>(list.size()) > std::max(state.bonds, state.particles))
+      refuse("has more plastic bonds than bonds");
+    require_aligned(list.Data());
+    for (const schema::PlasticBond* p : list) {
+      if (p->a() < 0 || p->b() < 0 || p->a() >= state.particles || p->b() >= state.particles)
+        refuse("has a bond between particles that are none");
+      to.push_back({p->a(), p->b(), finite(p->xx(), "strain"), finite(p->yy(), "strain"), finite(p->xy(), "strain")});
+    }
+  };
+  take_bonds(*from.plastic(), state.plastic);
+  state.placed = from.placed();
+  if (from.placed_strain() != nullptr) take_bonds(*from.placed_strain(), state.placed_strain);
   return state;
 }
 
@@ -107,16 +113,20 @@ std::vector<std::uint8_t> checkpoint_to_bytes(const Checkpoint& c) {
     const auto values = out.CreateVector(r.values);
     rows.push_back(schema::CreateRows(out, name, r.components, values));
   }
-  std::vector<schema::PlasticBond> plastic;
-  plastic.reserve(c.state.plastic.size());
-  for (const auto& p : c.state.plastic) plastic.emplace_back(p.a, p.b, p.xx, p.yy, p.xy);
+  const auto bonds = [](const std::vector<StateImage::PlasticBond>& from) {
+    std::vector<schema::PlasticBond> list;
+    list.reserve(from.size());
+    for (const auto& p : from) list.emplace_back(p.a, p.b, p.xx, p.yy, p.xy);
+    return list;
+  };
   const auto scene_bytes = out.CreateVector(scene);
   const auto number_list = out.CreateVector(numbers);
   const auto row_list = out.CreateVector(rows);
-  const auto plastic_list = out.CreateVectorOfStructs(plastic);
-  const auto root =
-      schema::CreateCheckpoint(out, kCheckpointFormat, scene_bytes, c.spacing_factor, c.lattice_multiple, c.coarsening,
-                               c.state.particles, c.state.bonds, number_list, row_list, plastic_list, c.state.hash);
+  const auto plastic_list = out.CreateVectorOfStructs(bonds(c.state.plastic));
+  const auto placed_list = c.state.placed_strain.empty() ? 0 : out.CreateVectorOfStructs(bonds(c.state.placed_strain));
+  const auto root = schema::CreateCheckpoint(out, kCheckpointFormat, scene_bytes, c.spacing_factor, c.lattice_multiple,
+                                             c.coarsening, c.state.particles, c.state.bonds, number_list, row_list,
+                                             plastic_list, c.state.hash, c.state.placed, placed_list);
   schema::FinishCheckpointBuffer(out, root);
   return {out.GetBufferPointer(), out.GetBufferPointer() + out.GetSize()};
 }

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/cut_pairs.h"
 #include "geometry/format.h"
 #include "geometry/section.h"
 #include "geometry/soil.h"
+#include "geometry/stages.h"
 #include "geometry/walls.h"
 
 namespace vbgpd {
@@ -46,13 +46,6 @@ void check_count(std::size_t count, std::int64_t max_particles) {
                             " allowed: use a larger spacing or allow more particles"});
 }
 
-Real ground_height(const std::vector<Point>& ground, const Box& box) {
-  const auto [toe, crest] =
-      std::minmax_element(ground.begin(), ground.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
-  const Real height = crest->y - toe->y;
-  return height > 1e-9 * box.extent() ? height : box.size().y();
-}
-
 }  // namespace
 
 Section discretise(const SceneDef& scene, const Lattice& lattice, int reach, std::int64_t max_particles) {
@@ -73,11 +66,8 @@ Section discretise(const SceneDef& scene, const Lattice& lattice, int reach, std
   const std::vector<HeldEdge> held = held_edges(section.boundaries, exterior, lattice.origin);
   section.seeds = merged(soil.seeds, wall_seeds(held, exterior, soil.seeds, lattice.spacing, reach));
   check_count(section.seeds.size(), max_particles);
-  section.cut_pairs = cut_pairs(exterior, held, section.seeds, lattice.spacing);
   for (Seed& seed : section.seeds) seed.centroid += lattice.origin;
-  for (std::size_t i : outline_of(exterior).ground) section.ground.push_back(outline[i]);
-  section.area = signed_area(exterior);
-  section.height = ground_height(section.ground, box);
+  keep_layers(scene, {}, section);
   return section;
 }
 

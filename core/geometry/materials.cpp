@@ -78,21 +78,28 @@ Coats paint_cells(const SceneDef& scene, const Vec2& origin, const Grid& grid, c
   return coats;
 }
 
-// Shares of one cell, summed over layers of the same material; -1 when no layer is seen in it.
-Index largest_share(const Vertices& soil, Index ground, const std::vector<Patch>& patches,
-                    const std::vector<Index>& material_of) {
+// The material of a cell and the layer that brings most of it; -1 when no layer is seen in it.
+struct Holder {
+  Index material = -1, layer = -1;
+};
+
+// Shares of one cell, summed over layers of the same material.
+Holder largest_share(const Vertices& soil, Index ground, const std::vector<Patch>& patches,
+                     const std::vector<Index>& material_of) {
   std::vector<const Vertices*> layers;
-  std::vector<Index> materials;
+  std::vector<Index> materials, numbers;
   if (ground >= 0) {
     layers.push_back(nullptr);
-    materials.push_back(material_of[ground]);
+    numbers.push_back(ground);
   }
   for (const Patch& patch : patches) {
     layers.push_back(&patch.outline);
-    materials.push_back(material_of[patch.layer]);
+    numbers.push_back(patch.layer);
   }
-  std::vector<Real> share = paint(soil, layers).visible;
-  Index best = -1;
+  for (Index layer : numbers) materials.push_back(material_of[layer]);
+  const std::vector<Real> visible = paint(soil, layers).visible;
+  std::vector<Real> share = visible;
+  Holder best;
   Real most = 0;
   for (std::size_t k = 0; k < share.size(); ++k) {
     for (std::size_t j = 0; j < k; ++j)
@@ -104,7 +111,13 @@ Index largest_share(const Vertices& soil, Index ground, const std::vector<Patch>
   for (std::size_t k = 0; k < share.size(); ++k)
     if (share[k] > 0 && share[k] >= most * (1 - 1e-9)) {
       most = share[k];
-      best = materials[k];
+      best.material = materials[k];
+    }
+  most = 0;
+  for (std::size_t k = 0; k < visible.size(); ++k)
+    if (materials[k] == best.material && visible[k] > 0 && visible[k] >= most * (1 - 1e-9)) {
+      most = visible[k];
+      best.layer = numbers[k];
     }
   return best;
 }
@@ -127,9 +140,12 @@ void fill_gaps(const Vec2& spacing, Soil& soil) {
                                 std::to_string(seed.iy) +
                                 ") of the lattice; add a layer without polygon to fill the exterior"});
     }
-    found.push_back(soil.seeds[near].material);
+    found.push_back(near);
   }
-  for (std::size_t k = 0; k < gaps.size(); ++k) soil.seeds[gaps[k]].material = found[k];
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    soil.seeds[gaps[k]].material = soil.seeds[found[k]].material;
+    soil.seeds[gaps[k]].layer = soil.seeds[found[k]].layer;
+  }
 }
 
 }  // namespace
@@ -139,7 +155,8 @@ void assign_materials(const SceneDef& scene, const Vec2& origin, const Grid& gri
   const Coats coats = paint_cells(scene, origin, grid, soil);
   for (std::size_t i = 0; i < soil.seeds.size(); ++i) {
     Seed& seed = soil.seeds[i];
-    if (coats.ground[i] >= 0) seed.material = material_of[coats.ground[i]];
+    seed.layer = coats.ground[i];
+    if (seed.layer >= 0) seed.material = material_of[seed.layer];
     if (coats.patched[i] < 0 || coats.patches[coats.patched[i]].empty()) continue;
     Vertices cell;
     if (soil.cut_of[i] < 0) {
@@ -148,7 +165,8 @@ void assign_materials(const SceneDef& scene, const Vec2& origin, const Grid& gri
       cell = {Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)};
     }
     const Vertices& outline = soil.cut_of[i] < 0 ? cell : soil.cut[soil.cut_of[i]].outline;
-    seed.material = largest_share(outline, coats.ground[i], coats.patches[coats.patched[i]], material_of);
+    const Holder holder = largest_share(outline, coats.ground[i], coats.patches[coats.patched[i]], material_of);
+    seed.material = holder.material, seed.layer = holder.layer;
   }
   fill_gaps(spacing, soil);
 }

@@ -31,8 +31,10 @@ struct Seed {
   Vec2 centroid = Vec2::Zero();  ///< of that area, scene coordinates (soil only; walls: the cell centre)
   Index material = -1;           ///< index into SceneDef::materials: the material with the largest share of the cell
   Hold hold = Hold::kFree;       ///< kFree = soil; anything else = wall
+  bool active = true;            ///< false: its layer is switched off, there is nothing here
   Index boundary = -1;           ///< index into SceneDef::boundaries (or the default ones) for wall seeds
-  Vec2 normal = Vec2::Zero();    ///< unit outward normal of the wall; rollers may not move along it
+  Index layer = -1;  ///< the layer that holds most of the cell's material; of a wall: of the soil it copies it from
+  Vec2 normal = Vec2::Zero();  ///< unit outward normal of the wall; rollers may not move along it
 };
 
 /// A pair of seeds within reach whose joining segment leaves the soil: no bond through air.
@@ -44,6 +46,7 @@ struct Section {
   Lattice lattice;
   std::vector<Seed> seeds;              ///< sorted by (ix, iy), each cell at most once
   std::vector<CutPair> cut_pairs;       ///< sorted
+  Polygon exterior;                     ///< of the soil that is there, counter-clockwise
   std::vector<Point> ground;            ///< upper chain of the exterior from left to right: the ground surface
   std::vector<BoundaryDef> boundaries;  ///< the scene's, or the defaults when it has none
   Real area = 0;                        ///< of the exterior, m2

@@ -77,14 +77,16 @@ int index_of(const SceneDef& scene, const std::string& name) {
 
 }  // namespace
 
-std::vector<Real> material_thickness(const SceneDef& scene, Real step) {
+std::vector<Real> material_thickness(const SceneDef& scene, Real step, const Layers& there) {
   const Polygon outline = counter_clockwise(scene.exterior);
   const Vec2 origin = box_of(outline).low;
   const Vertices exterior = local(outline, origin);
   std::vector<Region> regions;
   std::vector<const Vertices*> layers;
-  for (const LayerDef& layer : scene.layers)
-    regions.push_back({index_of(scene, layer.material), local(open_polygon(layer.polygon), origin)});
+  for (const LayerDef& layer : scene.layers) {
+    const int material = has_layer(there, static_cast<Index>(regions.size())) ? index_of(scene, layer.material) : -1;
+    regions.push_back({material, local(open_polygon(layer.polygon), origin)});
+  }
   for (const Region& r : regions) layers.push_back(r.polygon.empty() ? nullptr : &r.polygon);
   const Painted painted = paint(exterior, layers);
 

@@ -127,7 +127,7 @@ class WallBuilder {
     if (source >= 0) wall.volume = soil_[source].volume;
     if (source < 0)
       source = nearest_seed(index_, cell.ix, cell.iy, 4 * (reach_ + 2), spacing_, [](Index) { return true; });
-    if (source >= 0) wall.material = soil_[source].material;
+    if (source >= 0) wall.material = soil_[source].material, wall.layer = soil_[source].layer;
     return wall;
   }
 

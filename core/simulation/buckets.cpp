@@ -1,5 +1,7 @@
 #include "simulation/buckets.h"
 
+#include <limits>
+
 namespace vbgpd {
 
 Buckets::Buckets(const std::vector<Point>& points, double size) : size_(size) {
@@ -22,6 +24,17 @@ Buckets::Buckets(const std::vector<Point>& points, double size) : size_(size) {
   order_.resize(points.size());
   std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
   for (std::size_t k = 0; k < points.size(); ++k) order_[next[bucket(points[k])]++] = k;
+}
+
+std::size_t Buckets::nearest(const std::vector<Point>& points, double x, double y) const {
+  double best = std::numeric_limits<double>::infinity();
+  std::size_t found = 0;
+  for (double reach = size_; best > reach * reach && reach < 4 * extent(); reach *= 2)
+    near(x, y, reach, [&](std::size_t n) {
+      const double dx = points[n].x - x, dy = points[n].y - y, d2 = dx * dx + dy * dy;
+      if (d2 < best || (d2 == best && n < found)) best = d2, found = n;
+    });
+  return found;
 }
 
 }  // namespace vbgpd

@@ -23,6 +23,8 @@ class Buckets {
         for (std::size_t k = start_[b]; k < start_[b + 1]; ++k) f(order_[k]);
       }
   }
+  /// The one of `points` (those the buckets were made of, at least one) nearest to (x, y), the first of several.
+  std::size_t nearest(const std::vector<Point>& points, double x, double y) const;
   double size() const { return size_; }
   /// Half side of a square around any point near the points that holds them all.
   double extent() const { return size_ * static_cast<double>(columns_ + rows_); }

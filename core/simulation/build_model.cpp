@@ -108,6 +108,7 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
   Real soil = 0, compliance = 0;
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
     const Seed& seed = section.seeds[k];
+    if (!seed.active) continue;
     const auto i = static_cast<std::size_t>(m.storage_of[k]);
     const MaterialDef& d = scene.materials[static_cast<std::size_t>(seed.material)];
     const Real inertial = d.unit_weight > least ? d.unit_weight : m.stress_scale / m.height;
@@ -168,6 +169,7 @@ void apply_drive(const SceneDef& scene, const Section& section, const Drive& dri
   m.force_x.fill_zero(), m.force_y.fill_zero();
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
     const Seed& seed = section.seeds[k];
+    if (!seed.active) continue;
     const auto i = static_cast<std::size_t>(m.storage_of[k]);
     const Real weight = scene.materials[static_cast<std::size_t>(seed.material)].unit_weight * seed.volume;
     m.force_x[i] = drive.kh * weight;

@@ -38,6 +38,8 @@ constexpr FieldInfo kFields[] = {
     {"bond_state", "1", "0 elastic, 1 has yielded (plastic bond)", kBond, kInteger, 1},
     {"bond_stress", "Pa", "longitudinal, tangential and shear stress of the bond in its own frame", kBond, kReal, 3},
     {"bond_plastic_strain", "1", "engineering plastic shear strain of the bond", kBond, kReal, 1},
+    {"active", "1", "1, or 0 where the layer is switched off: no volume, mass, stress or displacement", kParticle,
+     kInteger, 1},
 };
 
 constexpr NamedValue kValues[] = {

@@ -43,7 +43,7 @@ void require_known(std::string_view name) {
   for (const std::string_view known :
        {"position", "reference_position", "displacement", "velocity", "stress", "plastic_strain",
         "plastic_bond_fraction", "volume", "mass", "material", "boundary", "particle_id", "bond_particles",
-        "bond_state", "bond_stress", "bond_plastic_strain"})
+        "bond_state", "bond_stress", "bond_plastic_strain", "active"})
     if (name == known) return;
   throw Error(Status::kUnsupported, "a run-out has no field '" + std::string(name) + "'");
 }
@@ -128,6 +128,7 @@ void FlowSimulation::read(int field, std::vector<std::int64_t>& out) const {
       if (name == "material") out[id] = model_.material[id];
       if (name == "boundary") out[id] = -1;
       if (name == "particle_id") out[id] = static_cast<std::int64_t>(id);
+      if (name == "active") out[id] = 1;
     }
     return;
   }

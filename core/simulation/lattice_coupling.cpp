@@ -83,17 +83,22 @@ void LatticeSimulation::set_drive(const Drive& drive) {
   take_forces(drive, outside_);
 }
 
+void LatticeSimulation::load(const Drive& drive, const Outside& outside, const Section& section, Model& m) const {
+  apply_drive(scene_, section, drive, m);
+  const auto add = [&](const Array& from, Array& to) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      if (m.seed_of[i] >= 0) to[i] += from[i];
+  };
+  add(outside.external_x, m.force_x), add(outside.external_y, m.force_y);
+  if (outside.pore_pressure.present()) add_pore_force(outside.pore_pressure, m);
+}
+
 void LatticeSimulation::take_forces(Drive drive, Outside outside) {
   Array kept_x = model_.force_x, kept_y = model_.force_y;
   std::vector<GuidedParticle> kept_guided = model_.guided;
   const Real kept_scale = model_.force_scale;
   try {
-    apply_drive(scene_, section_, drive, model_);
-    const auto add = [](const Array& from, Array& to) {
-      for (std::size_t i = 0; i < from.size(); ++i) to[i] += from[i];
-    };
-    add(outside.external_x, model_.force_x), add(outside.external_y, model_.force_y);
-    if (outside.pore_pressure.present()) add_pore_force(outside.pore_pressure, model_);
+    load(drive, outside, section_, model_);
   } catch (...) {  // out of memory: as if nobody had asked
     model_.force_x = std::move(kept_x), model_.force_y = std::move(kept_y);
     model_.guided = std::move(kept_guided), model_.force_scale = kept_scale;

@@ -1,7 +1,9 @@
 // A lattice simulation as plain data and back, by particle id: the pack width of the machine does not matter.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "simulation/bond_records.h"
 #include "simulation/build_model.h"
 #include "simulation/lattice_simulation.h"
 
@@ -62,18 +64,8 @@ class ById {
   const Model& m_;
 };
 
-/// Calls f(id of one end, id of the other, index of plastic xx) for every bond; both ids are the same without bonds.
-template <class F>
-void for_each_record(const Model& m, F&& f) {
-  const bool bonded = m.features.bond != BondLaw::kNone;
-  const auto id = [&](std::size_t i) { return m.id_of[static_cast<std::size_t>(m.seed_of[i])]; };
-  for (const BondPack& p : m.packs)
-    for (int l = 0; l < m.width; ++l) {
-      const auto i = static_cast<std::size_t>(p.i + l), j = static_cast<std::size_t>(p.j + l);
-      if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
-      const auto first = static_cast<std::size_t>(bonded ? p.slot * m.width : p.i);
-      f(id(i), id(j), 3 * first + static_cast<std::size_t>(l));
-    }
+std::int32_t id_at(const Model& m, std::size_t storage) {
+  return m.id_of[static_cast<std::size_t>(m.seed_of[storage])];
 }
 
 /// The plastic strain of an image in storage order; every bond it names must exist, once.
@@ -92,7 +84,8 @@ void take_plastic(const Model& m, const std::vector<StateImage::PlasticBond>& pl
   std::sort(wanted.begin(), wanted.end());
   std::size_t found = 0;
   const auto width = static_cast<std::size_t>(m.width);
-  for_each_record(m, [&](std::int32_t a, std::int32_t b, std::size_t record) {
+  for_each_record(m, [&](const BondPack&, std::size_t i, std::size_t j, std::size_t record) {
+    const std::int32_t a = id_at(m, i), b = id_at(m, j);
     const Entry key{std::min(a, b), std::max(a, b), nullptr};
     const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
     if (at == wanted.end() || key < *at) return;
@@ -100,6 +93,18 @@ void take_plastic(const Model& m, const std::vector<StateImage::PlasticBond>& pl
     ++found;
   });
   if (found != wanted.size()) refuse("names bonds that this section does not have");
+}
+
+/// Which layers are there; images of models that never switched any do not say.
+Layers layers_of(const StateImage& image, std::size_t count) {
+  const auto* there = rows(image, "active_layer", 1, count);
+  Layers layers;
+  if (there == nullptr) return layers;
+  for (const double v : *there) {
+    if (v != 0 && v != 1) refuse("has a layer that is neither there nor not");
+    layers.push_back(v == 1);
+  }
+  return std::find(layers.begin(), layers.end(), false) == layers.end() ? Layers() : layers;
 }
 
 }  // namespace
@@ -134,23 +139,24 @@ StateImage LatticeSimulation::image() const {
   std::vector<double> pressures, velocities;
   for (const LoadDef& l : drive_.loads) pressures.insert(pressures.end(), {l.pressure, l.pressure_end});
   for (const Vec2& v : drive_.velocities) velocities.insert(velocities.end(), {v.x(), v.y()});
+  if (!layers_.empty()) out.rows.push_back({"active_layer", 1, {layers_.begin(), layers_.end()}});
   out.rows.push_back({"load_pressure", 2, std::move(pressures)});
   out.rows.push_back({"boundary_velocity", 2, std::move(velocities)});
-  if (state_.plastic_strain.present()) {
+  out.placed = model_.features.placed;
+  const auto list = [&](const Array& p, std::vector<StateImage::PlasticBond>& to) {
+    if (!p.present()) return;
     const auto width = static_cast<std::size_t>(model_.width);
-    const Array& p = state_.plastic_strain;
-    for_each_record(model_, [&](std::int32_t a, std::int32_t b, std::size_t r) {
+    for_each_record(model_, [&](const BondPack&, std::size_t i, std::size_t j, std::size_t r) {
       if (p[r] != 0 || p[r + width] != 0 || p[r + 2 * width] != 0)
-        out.plastic.push_back({a, b, p[r], p[r + width], p[r + 2 * width]});
+        to.push_back({id_at(model_, i), id_at(model_, j), p[r], p[r + width], p[r + 2 * width]});
     });
-  }
+  };
+  list(state_.plastic_strain, out.plastic);
+  list(state_.placed_strain, out.placed_strain);
   return out;
 }
 
 void LatticeSimulation::restore_image(const StateImage& image) {
-  if (image.particles != model_.particles || image.bonds != model_.bonds)
-    refuse("is of " + std::to_string(image.particles) + " particles and " + std::to_string(image.bonds) +
-           " bonds; this model has " + std::to_string(model_.particles) + " and " + std::to_string(model_.bonds));
   constexpr double kLarge = 1e300, kCount = 1e15;
   const double time = number(image, "time", 0, kLarge), steps = number(image, "steps", 0, kCount);
   const double last_step = number(image, "last_time_step", 0, kLarge);
@@ -162,21 +168,10 @@ void LatticeSimulation::restore_image(const StateImage& image) {
   ledger.damping = number(image, "damping_dissipation", -kLarge, kLarge);
   ledger.plastic = number(image, "plastic_dissipation", -kLarge, kLarge);
 
-  const ById by_id(model_);
-  State state;
-  state.allocate(model_);
   const auto n = section_.seeds.size();
-  const auto take = [&](const char* name, std::initializer_list<Array*> arrays) {
-    const auto* values = rows(image, name, static_cast<int>(arrays.size()), n);
-    if (values == nullptr) refuse("lacks the array " + std::string(name));
-    by_id.scatter(*values, arrays);
-  };
-  take("displacement", {&state.displacement_x, &state.displacement_y});
-  take("velocity", {&state.velocity_x, &state.velocity_y});
-  if (state.plastic_volume.present()) take("plastic_volume", {&state.plastic_volume});
-  if (!state.plastic_strain.present() && !image.plastic.empty()) refuse("has plastic strain where nothing yields");
-  if (state.plastic_strain.present()) take_plastic(model_, image.plastic, state.plastic_strain);
-
+  if (image.particles != model_.particles)
+    refuse("is of " + std::to_string(image.particles) + " particles; this model has " +
+           std::to_string(model_.particles));
   Drive drive = drive_;
   drive.kh = number(image, "kh", -1, 1), drive.kv = number(image, "kv", -1, 1);
   if (const auto* p = rows(image, "load_pressure", 2, drive.loads.size()))
@@ -184,6 +179,7 @@ void LatticeSimulation::restore_image(const StateImage& image) {
       drive.loads[k].pressure = (*p)[2 * k], drive.loads[k].pressure_end = (*p)[2 * k + 1];
   if (const auto* v = rows(image, "boundary_velocity", 2, drive.velocities.size()))
     for (std::size_t k = 0; k < drive.velocities.size(); ++k) drive.velocities[k] = Vec2((*v)[2 * k], (*v)[2 * k + 1]);
+  const ById by_id(model_);  // the same whichever layers are there
   Outside outside;
   const auto storage = static_cast<std::size_t>(model_.storage);
   if (const auto* p = rows(image, "pore_pressure", 1, n))
@@ -192,14 +188,53 @@ void LatticeSimulation::restore_image(const StateImage& image) {
     outside.external_x.allocate(storage, 3), outside.external_y.allocate(storage, 4);
     by_id.scatter(*f, {&outside.external_x, &outside.external_y});
   }
+
+  const Layers layers = layers_of(image, scene_.layers.size());
+  std::optional<Stage> other;
+  if (layers != layers_ || image.placed != model_.features.placed) {
+    try {
+      other = stage(layers, image.placed, drive, outside, factor);
+    } catch (const Error& error) {
+      refuse("has layers that cannot be: " + error.issue().text);
+    }
+  }
+  const Model& m = other ? other->model : model_;
+  if (image.bonds != m.bonds)
+    refuse("has " + std::to_string(image.bonds) + " bonds; this section has " + std::to_string(m.bonds));
+  State state;
+  state.allocate(m);
+  const auto take = [&](const char* name, std::initializer_list<Array*> arrays) {
+    const auto* values = rows(image, name, static_cast<int>(arrays.size()), n);
+    if (values == nullptr) refuse("lacks the array " + std::string(name));
+    by_id.scatter(*values, arrays);
+    for (Array* a : arrays)
+      for (std::size_t i = 0; i < storage; ++i)
+        if (m.seed_of[i] < 0 && (*a)[i] != 0) refuse("has a " + std::string(name) + " where no soil is");
+  };
+  take("displacement", {&state.displacement_x, &state.displacement_y});
+  take("velocity", {&state.velocity_x, &state.velocity_y});
+  if (state.plastic_volume.present()) take("plastic_volume", {&state.plastic_volume});
+  const auto take_strain = [&](const std::vector<StateImage::PlasticBond>& from, Array& to) {
+    if (to.present()) take_plastic(m, from, to);
+    else if (!from.empty()) refuse("has plastic strain where nothing yields");
+  };
+  take_strain(image.plastic, state.plastic_strain);
+  take_strain(image.placed_strain, state.placed_strain);
   // the hash goes through the storage, whose padding depends on the pack width
-  if (number(image, "pack_width", 1, 64) == model_.width && state.hash() != image.hash)
+  if (number(image, "pack_width", 1, 64) == m.width && hash_of(state, layers) != image.hash)
     refuse("does not hold the state it says: its hash differs");
 
-  std::vector<LawConstants> constants = pair_constants(model_, factor, false);
-  take_forces(std::move(drive), std::move(outside));
-  take_constants(factor, std::move(constants));
-  state_ = std::move(state);
+  if (other) {
+    other->state = std::move(state);
+    exchange(*other);
+    factor_ = factor, drive_ = std::move(drive), outside_ = std::move(outside);
+    force_version_ = ++newest_force_version_;
+  } else {
+    std::vector<LawConstants> constants = pair_constants(model_, factor, false);
+    take_forces(std::move(drive), std::move(outside));
+    take_constants(factor, std::move(constants));
+    state_ = std::move(state);
+  }
   time_ = time, last_time_step_ = last_step, damping_ = damping, ledger_ = ledger;
   steps_ = static_cast<std::int64_t>(steps), since_restart_ = static_cast<std::int64_t>(since_restart);
 }

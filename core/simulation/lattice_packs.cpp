@@ -133,6 +133,11 @@ struct Occupancy {
   const Model& m;
   std::vector<CutPair> cut;  // storage indices, sorted
   bool occupied(std::int32_t i) const { return i >= 0 && i < m.storage && m.seed_of[static_cast<std::size_t>(i)] >= 0; }
+  bool any(std::int32_t first) const {
+    for (int l = 0; l < m.width; ++l)
+      if (occupied(first + l)) return true;
+    return false;
+  }
   bool joined(std::int32_t i, std::int32_t j) const {
     if (!occupied(i) || !occupied(j)) return false;
     const CutPair key{std::min(i, j), std::max(i, j)};
@@ -157,10 +162,11 @@ Occupancy number_particles(const Section& section, const Columns& columns, Model
     const Seed& s = section.seeds[k];
     const std::int32_t i = columns.at(s);
     m.storage_of[k] = i;
+    if (s.hold == Hold::kFree) ++m.soil_particles;
+    if (!s.active) continue;
     m.seed_of[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(k);
     m.material[static_cast<std::size_t>(i)] = s.material;
     m.volume[static_cast<std::size_t>(i)] = s.volume;
-    if (s.hold == Hold::kFree) ++m.soil_particles;
   }
   m.particles = static_cast<std::int64_t>(section.seeds.size());
   Occupancy who{m, {}};
@@ -192,6 +198,7 @@ void build_blocks(const Columns& columns, const std::vector<LatticeOffset>& offs
     for (Index cell = columns.low(c); cell <= columns.high(c); cell += m.width) {
       Block block;
       block.first = columns.index(column, cell);
+      if (!who.any(block.first)) continue;
       block.neighbours_begin = static_cast<std::int32_t>(m.neighbours.size());
       for (std::size_t o = 0; o < offsets.size(); ++o) {
         const std::int32_t j = columns.index(column + offsets[o].major, cell + offsets[o].minor);

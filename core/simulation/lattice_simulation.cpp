@@ -25,6 +25,7 @@ struct LatticeSimulation::Saved final : SavedState {
   Ledger ledger;
   Drive drive;
   Outside outside;
+  Layers layers;
   std::uint64_t force_version = 0;
   std::optional<SavedBytes> counted;
 };
@@ -50,14 +51,17 @@ void LatticeSimulation::set_factor(Real factor) { take_constants(factor, pair_co
 void LatticeSimulation::take_constants(Real factor, std::vector<LawConstants> constants) {
   factor_ = factor;
   audit_.valid = false;
+  fit_dilation_cap(model_, constants, dilation_cap_);
   constants_ = std::move(constants);
-  if (!model_.features.volumetric_plastic) return;
-  if (!dilation_cap_.present()) dilation_cap_.allocate(static_cast<std::size_t>(model_.storage), 12);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.storage); ++i) {
-    if (model_.seed_of[i] < 0) continue;
-    const LawConstants& c =
-        constants_[static_cast<std::size_t>(model_.material[i] * model_.materials + model_.material[i])];
-    dilation_cap_[i] = c.t / c.bulk_modulus;
+}
+
+void LatticeSimulation::fit_dilation_cap(const Model& m, const std::vector<LawConstants>& constants, Array& cap) {
+  if (!m.features.volumetric_plastic) return;
+  if (!cap.present()) cap.allocate(static_cast<std::size_t>(m.storage), 12);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.storage); ++i) {
+    if (m.seed_of[i] < 0) continue;
+    const LawConstants& c = constants[static_cast<std::size_t>(m.material[i] * m.materials + m.material[i])];
+    cap[i] = c.t / c.bulk_modulus;
   }
 }
 
@@ -206,19 +210,31 @@ std::shared_ptr<SavedState> LatticeSimulation::save() const {
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->since_restart = since_restart_;
   saved->last_time_step = last_time_step_, saved->ledger = ledger_;
   saved->drive = drive_, saved->outside = outside_, saved->force_version = force_version_;
+  saved->layers = layers_;
   saved->counted.emplace(saved_, saved->state.bytes() + bytes_of(saved->outside));
   return saved;
 }
 
 void LatticeSimulation::restore(const SavedState& other) {
   const auto& saved = dynamic_cast<const Saved&>(other);
-  std::vector<LawConstants> constants = pair_constants(model_, saved.factor, false);
-  if (saved.force_version != force_version_) {
-    take_forces(saved.drive, saved.outside);
-    force_version_ = saved.force_version;
+  const bool placed = saved.state.placed_strain.present();
+  if (saved.layers != layers_ || placed != model_.features.placed) {
+    Drive drive = saved.drive;
+    Outside outside = saved.outside;
+    Stage other = stage(saved.layers, placed, drive, outside, saved.factor);
+    other.state = saved.state;
+    exchange(other);
+    factor_ = saved.factor;
+    drive_ = std::move(drive), outside_ = std::move(outside), force_version_ = saved.force_version;
+  } else {
+    std::vector<LawConstants> constants = pair_constants(model_, saved.factor, false);
+    if (saved.force_version != force_version_) {
+      take_forces(saved.drive, saved.outside);
+      force_version_ = saved.force_version;
+    }
+    take_constants(saved.factor, std::move(constants));
+    state_ = saved.state;
   }
-  take_constants(saved.factor, std::move(constants));
-  state_ = saved.state;
   time_ = saved.time, steps_ = saved.steps, since_restart_ = saved.since_restart;
   last_time_step_ = saved.last_time_step, ledger_ = saved.ledger;
 }

@@ -32,13 +32,15 @@ class LatticeSimulation final : public Simulation {
   void set(std::string_view name, double value) override;
   void read(int field, std::vector<double>& out) const override;
   void read(int field, std::vector<std::int64_t>& out) const override;
-  std::uint64_t state_hash() const override { return state_.hash(); }
+  std::uint64_t state_hash() const override { return hash_of(state_, layers_); }
   std::vector<Feature> plan() const override;
   Memory memory() const override;
   StepReport advance_to(double time, const StepWatch& watch) override;
   void write(int field, const std::vector<double>& rows) override;
   const Drive& drive() const override { return drive_; }
   void set_drive(const Drive& drive) override;
+  Layers layers() const override { return layers_; }
+  void set_layers(const Layers& layers) override;
   Vec2 boundary_reaction(std::size_t boundary) const override;
   FieldView view(int field) const override;
   StateImage image() const override;
@@ -67,11 +69,29 @@ class LatticeSimulation final : public Simulation {
     std::int64_t steps = 0;
   };
   struct Saved;
+  /// What depends on which layers are there, made aside so that it is taken as a whole or not at all.
+  struct Stage {
+    Layers layers;
+    Section section;
+    Model model;
+    State state;
+    Scratch scratch;
+    std::vector<Sums> partial;
+    Array dilation_cap;
+    std::vector<LawConstants> constants, elastic_constants;
+  };
+  /// All but the state, under those forces and at that strength reduction factor. `placed`: with room for the shape
+  /// that soil was placed in.
+  Stage stage(const Layers& layers, bool placed, const Drive& drive, const Outside& outside, Real factor) const;
+  void exchange(Stage& stage) noexcept;
   /// Where a run of dynamic steps ends: after so many, or exactly at a time.
   struct Goal {
     std::int64_t steps;
     Real time;
   };
+  static std::uint64_t hash_of(const State& state, const Layers& layers);
+  /// Forces of a drive and from outside on a model.
+  void load(const Drive& drive, const Outside& outside, const Section& section, Model& model) const;
   StepReport march(const Goal& goal, const StepWatch& watch);
   /// Forces of a drive and from outside, anew; when memory runs out, as before.
   void take_forces(Drive drive, Outside outside);
@@ -85,6 +105,7 @@ class LatticeSimulation final : public Simulation {
   void set_factor(Real factor);
   /// Material constants already made for that factor.
   void take_constants(Real factor, std::vector<LawConstants> constants);
+  static void fit_dilation_cap(const Model& model, const std::vector<LawConstants>& constants, Array& cap);
   Controls evaluation_controls() const;
   /// Brings scratch up to date with the state without moving anything; returns the unbalanced force ratio.
   Sums evaluate() const;
@@ -102,6 +123,7 @@ class LatticeSimulation final : public Simulation {
   SceneDef scene_;
   CompileOptions options_;
   SavedTotal saved_ = std::make_shared<std::atomic<std::size_t>>(0);
+  Layers layers_;  // empty = all
   Section section_;
   const Kernels& kernels_;
   Model model_;

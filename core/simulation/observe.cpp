@@ -48,7 +48,9 @@ std::int64_t plastic_bonds(const Model& m, const State& s) {
       if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
       const std::size_t r = 3 * (bonded ? w * static_cast<std::size_t>(p.slot) : static_cast<std::size_t>(p.i)) +
                             static_cast<std::size_t>(l);
-      if (s.plastic_strain[r] != 0 || s.plastic_strain[r + w] != 0 || s.plastic_strain[r + 2 * w] != 0) ++count;
+      const bool placed = s.placed_strain.present();
+      const auto yielded = [&](std::size_t k) { return s.plastic_strain[k] != (placed ? s.placed_strain[k] : 0); };
+      if (yielded(r) || yielded(r + w) || yielded(r + 2 * w)) ++count;
     }
   return count;
 }

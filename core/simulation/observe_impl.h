@@ -62,6 +62,9 @@ void for_each_bond(const Model& m, const State& s, const Scratch& scratch, const
       if (scratch.volume_source.present())
         b.stored_mean -=
             c.bulk_modulus / 2 * (scratch.volume_source[i] / m.volume[i] + scratch.volume_source[j] / m.volume[j]);
+      if (s.placed_strain.present())
+        pxx -= s.placed_strain[b.record], pyy -= s.placed_strain[b.record + w],
+            pxy -= s.placed_strain[b.record + 2 * w];
       b.plastic = pxx != 0 || pyy != 0 || pxy != 0;
       const Real pzz = -(pxx + pyy);
       b.plastic_shear = std::sqrt(2 * (pxx * pxx + pyy * pyy + pzz * pzz + 2 * pxy * pxy));

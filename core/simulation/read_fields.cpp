@@ -41,7 +41,7 @@ void LatticeSimulation::read_particles(int field, std::vector<double>& out) cons
       row[0] = averages.xx[i], row[1] = averages.yy[i], row[2] = averages.zz[i], row[3] = averages.xy[i];
     if (name == "plastic_strain") row[0] = averages.plastic_strain[i];
     if (name == "plastic_bond_fraction") row[0] = averages.plastic_fraction[i];
-    if (name == "volume") row[0] = seed.volume;
+    if (name == "volume") row[0] = model_.volume[i];
     if (name == "mass") row[0] = model_.mass[i];
     if (name == "pore_pressure" && outside_.pore_pressure.present()) row[0] = outside_.pore_pressure[i];
     if (name == "external_force") {
@@ -85,6 +85,7 @@ void LatticeSimulation::read(int field, std::vector<std::int64_t>& out) const {
       if (name == "material") value = seed.material;
       if (name == "boundary") value = seed.hold == Hold::kFree ? -1 : seed.boundary;
       if (name == "particle_id") value = model_.id_of[k];
+      if (name == "active") value = seed.active ? 1 : 0;
     }
     return;
   }

@@ -42,10 +42,12 @@ Sampler::Sampler(const Simulation& simulation, int field, bool deformed)
       components_(fields()[static_cast<std::size_t>(field)].components),
       kernel_(*kernel_by_name(simulation.scene().kernel)),
       smoothing_length_(length(simulation)),
-      exterior_(simulation.scene().exterior),
+      exterior_(simulation.section().exterior),
+      layers_(simulation.layers()),
       places_(soil_places(simulation, deformed)),
       volumes_(read(simulation, "volume")),
       buckets_(places_, 2 * smoothing_length_) {
+  if (!layers_.empty()) map_.emplace(simulation.scene());
   simulation.read(field, rows_);
   if (deformed_) displacement_ = read(simulation, "displacement");
 }
@@ -63,11 +65,15 @@ void Sampler::fit(double x, double y, const std::vector<double>& rows, int compo
   if (any) plane.value(out, components);
 }
 
+bool Sampler::soil_at(double x, double y) const {
+  return inside(exterior_, x, y) && (!map_ || has_layer(layers_, map_->at(x, y)));
+}
+
 bool Sampler::at(double x, double y, double* out) const {
   bool any = true;
   double moved[2] = {0, 0};
   if (deformed_) fit(x, y, displacement_, 2, any, moved);
-  if (any && inside(exterior_, x - moved[0], y - moved[1])) fit(x, y, rows_, components_, any, out);
+  if (any && soil_at(x - moved[0], y - moved[1])) fit(x, y, rows_, components_, any, out);
   else any = false;
   if (!any) std::fill_n(out, components_, kNone);
   return any;

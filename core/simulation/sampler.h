@@ -1,8 +1,10 @@
 // A field of a simulation at any place, by the kernel of the method.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "geometry/stages.h"
 #include "simulation/buckets.h"
 #include "simulation/simulation.h"
 #include "smoothing/any_kernel.h"
@@ -22,12 +24,15 @@ class Sampler {
   int components() const { return components_; }
 
  private:
+  bool soil_at(double x, double y) const;
   void fit(double x, double y, const std::vector<double>& rows, int components, bool& any, double* out) const;
   bool deformed_;
   int components_;
   AnyKernel kernel_;
   double smoothing_length_;
   Polygon exterior_;
+  std::optional<LayerMap> map_;  ///< where layers are switched off
+  Layers layers_;
   std::vector<Point> places_;
   std::vector<double> volumes_, rows_, displacement_;
   Buckets buckets_;

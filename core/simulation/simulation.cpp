@@ -15,6 +15,10 @@ StepReport Simulation::advance_to(double, const StepWatch&) { unsupported("advan
 void Simulation::write(int, const std::vector<double>&) { unsupported("take over fields from outside"); }
 const Drive& Simulation::drive() const { unsupported("tell what drives it"); }
 void Simulation::set_drive(const Drive&) { unsupported("change loads while it runs"); }
+void Simulation::set_layers(const Layers&) {
+  throw Error(Status::kUnsupported,
+              "the layers of a run-out cannot be switched, its soil has moved; draw a profile of the next stage");
+}
 Vec2 Simulation::boundary_reaction(std::size_t) const { unsupported("tell the reaction of a boundary"); }
 FieldView Simulation::view(int) const { unsupported("lend its arrays"); }
 StateImage Simulation::image() const { unsupported("be written to a checkpoint"); }

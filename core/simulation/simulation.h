@@ -13,6 +13,7 @@
 #include "base/log.h"
 #include "base/state_image.h"
 #include "geometry/section.h"
+#include "geometry/stages.h"
 #include "scene/scene_def.h"
 #include "simulation/memory.h"
 #include "simulation/plan.h"
@@ -165,6 +166,11 @@ class Simulation {
   virtual void write(int field, const std::vector<double>& rows);
   virtual const Drive& drive() const;
   virtual void set_drive(const Drive& drive);
+  /// Which layers of the scene are there; empty = all, as at first.
+  virtual Layers layers() const { return {}; }
+  /// Takes the soil of layers away or places it; the other soil keeps its state. Throws Error(kArgument) when no soil
+  /// would be left; whatever it throws, nothing has changed.
+  virtual void set_layers(const Layers& layers);
   /// Force of the wall particles of a boundary on the soil, N per metre run.
   virtual Vec2 boundary_reaction(std::size_t boundary) const;
   /// A field in storage order; "particle_id" tells which particle an item is, -1 = padding.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace vbgpd {
 
@@ -43,6 +44,8 @@ void add_surface_loads(const std::vector<LoadDef>& loads, const Section& section
   if (loads.empty()) return;
   const std::vector<Real> area = normal_areas(m);
   const Real dx = section.lattice.spacing.x(), dy = section.lattice.spacing.y();
+  const bool whole =
+      std::all_of(section.seeds.begin(), section.seeds.end(), [](const Seed& seed) { return seed.active; });
   const Real depth = 3.5 * dy;  // the rows a support of 2.6 spacings can miss
   for (const LoadDef& load : loads) {
     const Real end = std::isnan(load.pressure_end) ? load.pressure : load.pressure_end;
@@ -50,19 +53,23 @@ void add_surface_loads(const std::vector<LoadDef>& loads, const Section& section
       return load.pressure + (end - load.pressure) * std::clamp((x - load.x0) / (load.x1 - load.x0), 0.0, 1.0);
     };
     std::vector<std::pair<std::size_t, Real>> shares;
-    Real total = 0;
+    std::set<Index> columns;
+    Real total = 0, carried = 0;
     for (std::size_t k = 0; k < section.seeds.size(); ++k) {
       const Seed& seed = section.seeds[k];
-      if (seed.hold != Hold::kFree) continue;
+      if (seed.hold != Hold::kFree || !seed.active) continue;
       const Vec2 center = section.lattice.center(seed.ix, seed.iy);
       const Real left = std::max(center.x() - dx / 2, load.x0), right = std::min(center.x() + dx / 2, load.x1);
       if (right <= left || ground_level(section.ground, center.x()) - center.y() > depth) continue;
       const auto i = static_cast<std::size_t>(m.storage_of[k]);
-      const Real f = pressure((left + right) / 2) * area[i] * (right - left) / dx;
+      const Real mean = pressure((left + right) / 2);
+      const Real f = mean * area[i] * (right - left) / dx;
+      if (columns.insert(seed.ix).second) carried += mean * (right - left);
       shares.emplace_back(i, f);
       total += f;
     }
-    const Real asked = (load.pressure + end) / 2 * (load.x1 - load.x0);
+    // where soil was taken away down to the base there is nothing left to stand on
+    const Real asked = whole ? (load.pressure + end) / 2 * (load.x1 - load.x0) : carried;
     if (total == 0) continue;
     for (const auto& [i, f] : shares) m.force_y[i] -= f * asked / total;
   }

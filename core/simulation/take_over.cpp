@@ -1,7 +1,6 @@
 #include "simulation/take_over.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "simulation/scattered.h"
 
@@ -26,23 +25,28 @@ std::vector<Point> places(const Simulation& simulation) {
   return out;
 }
 
+/// Soil particles that are there.
+std::vector<bool> present_soil(const Simulation& simulation) {
+  const std::vector<double> boundary = read(simulation, "boundary"), active = read(simulation, "active");
+  std::vector<bool> out(boundary.size());
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = boundary[k] < 0 && active[k] > 0;
+  return out;
+}
+
 /// Every force goes to the nearest soil particle of the other grid.
 std::vector<double> moved_forces(const std::vector<Point>& from, const std::vector<double>& forces,
-                                 const std::vector<Point>& to, const std::vector<double>& boundary, double spacing) {
-  std::vector<Point> soil;  // soil particles come first
-  for (std::size_t k = 0; k < to.size() && boundary[k] < 0; ++k) soil.push_back(to[k]);
+                                 const std::vector<double>& acts, const std::vector<Point>& to,
+                                 const std::vector<bool>& there, double spacing) {
+  std::vector<Point> soil;
+  std::vector<std::size_t> id;
+  for (std::size_t k = 0; k < to.size(); ++k)
+    if (there[k]) soil.push_back(to[k]), id.push_back(k);
   const Buckets buckets(soil, spacing);
   std::vector<double> out(2 * to.size(), 0);
   for (std::size_t k = 0; k < from.size(); ++k) {
-    if (forces[2 * k] == 0 && forces[2 * k + 1] == 0) continue;
-    double best = std::numeric_limits<double>::infinity();
-    std::size_t nearest = 0;
-    for (double reach = spacing; best > reach * reach && reach < 4 * buckets.extent(); reach *= 2)
-      buckets.near(from[k].x, from[k].y, reach, [&](std::size_t n) {
-        const double dx = soil[n].x - from[k].x, dy = soil[n].y - from[k].y, d2 = dx * dx + dy * dy;
-        if (d2 < best || (d2 == best && n < nearest)) best = d2, nearest = n;
-      });
-    out[2 * nearest] += forces[2 * k], out[2 * nearest + 1] += forces[2 * k + 1];
+    if (acts[k] == 0 || (forces[2 * k] == 0 && forces[2 * k + 1] == 0)) continue;
+    const std::size_t k_to = id[buckets.nearest(soil, from[k].x, from[k].y)];
+    out[2 * k_to] += forces[2 * k], out[2 * k_to + 1] += forces[2 * k + 1];
   }
   return out;
 }
@@ -50,6 +54,7 @@ std::vector<double> moved_forces(const std::vector<Point>& from, const std::vect
 }  // namespace
 
 void take_over(const Simulation& from, Simulation& to) {
+  to.set_layers(from.layers());
   to.set_drive(from.drive());
   const std::vector<double> pressures = read(from, "pore_pressure"), forces = read(from, "external_force");
   if (all_zero(pressures) && all_zero(forces)) return;
@@ -62,7 +67,7 @@ void take_over(const Simulation& from, Simulation& to) {
   }
   if (!all_zero(forces))
     to.write(find_field("external_force"),
-             moved_forces(here, forces, there, read(to, "boundary"), to.get("spacing_x")));
+             moved_forces(here, forces, read(from, "active"), there, present_soil(to), to.get("spacing_x")));
 }
 
 }  // namespace vbgpd

@@ -20,6 +20,7 @@ struct Features {
   bool plastic = true;             ///< any law yields: plastic strain is stored
   bool volumetric_plastic = true;  ///< any law dilates or is capped in tension
   bool cohesion_gradient = false;
+  bool placed = false;  ///< soil was placed when the section was deformed already
   bool has_algorithm[2] = {true, true};
 };
 
@@ -71,6 +72,7 @@ struct State {
   Array velocity_x, velocity_y;          ///< m/s (relaxation: m per pseudo-time)
   Array plastic_volume;  ///< theta^p, plastic volumetric strain of a particle; absent when no law dilates
   Array plastic_strain;  ///< [slots x 3 x width] (or particles) xx, yy, xy; absent when nothing yields
+  Array placed_strain;   ///< the part of it that is the shape soil was placed in; absent when none was
 
   template <class S, class F>
   static void for_each_array(S& s, F&& f) {
@@ -80,6 +82,7 @@ struct State {
     f("velocity_y", s.velocity_y);
     f("plastic_volume", s.plastic_volume);
     f("plastic_strain", s.plastic_strain);
+    f("placed_strain", s.placed_strain);
   }
   void allocate(const Model& m);
   std::size_t bytes() const;

@@ -32,6 +32,7 @@ void State::allocate(const Model& m) {
   const std::size_t records =
       m.features.bond == BondLaw::kNone ? n : static_cast<std::size_t>(m.slots) * static_cast<std::size_t>(m.width);
   plastic_strain.allocate(m.features.plastic ? 3 * records : 0, 6);
+  placed_strain.allocate(m.features.placed ? 3 * records : 0, 12);
 }
 
 std::size_t State::bytes() const {

@@ -411,6 +411,9 @@ static void step_outside(vbgpd_model* model) {
     s[0] = vbgpd_model_boundary_reaction(model, b, &fx, &fy);
     printf("   reaction %d %s %s\n", s[0], hex(fx), hex(fy));
   }
+  s[0] = vbgpd_model_set_layer_active(model, 0, 1);
+  printf("   layer on %d, the only one off: ", s[0]);
+  MODEL_FAILED(vbgpd_model_set_layer_active(model, 0, 0));
 }
 
 static void step_events(vbgpd_model* model) {

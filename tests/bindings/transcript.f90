@@ -574,6 +574,10 @@ contains
       call model%boundary_reaction(b, force, s(1))
       call say("   reaction " // num32(s(1)) // hexes(force))
     end do
+    call model%set_layer_active(0_c_int64_t, .true., s(1))
+    call begin("   layer on " // num32(s(1)) // ", the only one off: ")
+    call model%set_layer_active(0_c_int64_t, .false., s(1))
+    call model_failed(model, s(1))
   end subroutine step_outside
 
   subroutine step_events(model)

@@ -235,6 +235,8 @@ def outside(model):
     advance("   then", model, 0.09375)
     for boundary in range(3):
         print("   reaction 0", hexes(*model.boundary_reaction(boundary)))
+    model.set_layer_active(0, True)
+    print("   layer on 0, the only one off:", failure(model.set_layer_active, 0, False))
 
 
 def events(model):

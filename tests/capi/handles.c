@@ -86,6 +86,7 @@ static vbgpd_memory memory;
   X(MODEL, vbgpd_model_write_grid, (h, 0, 0, 0, 1, 1, 1, 1, xy, 0))                              \
   X(MODEL, vbgpd_model_set_load, (h, 0, 0, 0))                                                   \
   X(MODEL, vbgpd_model_set_boundary_velocity, (h, 0, 0, 0))                                      \
+  X(MODEL, vbgpd_model_set_layer_active, (h, 0, 1))                                              \
   X(MODEL, vbgpd_model_boundary_reaction, (h, 0, &value, &value))                                \
   X(STATE, vbgpd_state_destroy, (h))                                                             \
   X(JOB, vbgpd_job_error, (h, &info, text, 8, &n))                                               \

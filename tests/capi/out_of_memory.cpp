@@ -147,6 +147,8 @@ int main() {
   context = make_context();
   profile = make_profile(context, 2);
   CHECK_OK(vbgpd_profile_add_load(profile, 2, 8, 10e3, 10e3, nullptr));
+  static const double toe[] = {31, -1, 41, -1, 41, 6, 31, 6};
+  CHECK_OK(vbgpd_profile_add_layer(profile, toe, 16, 4, 0, nullptr));
   CHECK_OK(vbgpd_model_create(context, profile, &model));
   CHECK_OK(vbgpd_model_step(model, 20, nullptr));
   CHECK_OK(vbgpd_model_save_state(model, &state));
@@ -183,6 +185,24 @@ int main() {
       [] { return vbgpd_model_set_f64(model, "strength_reduction_factor", VBGPD_STRLEN, 1.25); }, restore);
   survives(
       "model_set_load", [] { return vbgpd_model_set_load(model, 0, 30e3, 20e3); }, restore);
+  survives(
+      "model_set_layer_active", [] { return vbgpd_model_set_layer_active(model, 1, 0); }, restore);
+  survives(
+      "model_restore_state to other layers",
+      [&] {
+        const std::int64_t fail = fail_at;
+        fail_at = -1;
+        CHECK_OK(vbgpd_model_set_layer_active(model, 1, 0));
+        const std::uint64_t dug = hash();
+        fail_at = fail;
+        const vbgpd_status s = vbgpd_model_restore_state(model, state);
+        fail_at = -1;
+        if (s == VBGPD_OK) return s;
+        CHECK(hash() == dug);
+        CHECK_OK(vbgpd_model_restore_state(model, state));
+        return s;
+      },
+      restore);
   survives(
       "model_write_grid", [&] { return vbgpd_model_write_grid(model, pore, 0, 0, 40, 15, 2, 2, corners, 0); }, restore);
   survives(

@@ -14,6 +14,7 @@ static void refusals(vbgpd_model* at_rest, vbgpd_model* moving) {
   CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_set_f64(moving, "kh", VBGPD_STRLEN, 0.1));
   CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_get_f64(moving, "kh", VBGPD_STRLEN, &value));
   CHECK_STATUS(VBGPD_E_RANGE, vbgpd_model_set_f64(moving, "damping", VBGPD_STRLEN, 2));
+  CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_set_layer_active(moving, 0, 0));
 }
 
 static void ground_of(const vbgpd_model* model, double* lowest, double* highest) {

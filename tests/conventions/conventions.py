@@ -91,7 +91,8 @@ long_files = []
 for path in files:
     if path.suffix in CODE and path.relative_to(root).parts[0] in {"core", "capi", "samples"}:
         lines = len(path.read_text(encoding="utf-8").splitlines())
-        if lines > 500:
+        # the public header is the whole manual in one place, one declaration per line: it may be longer
+        if lines > (600 if path.name == "vbgpd.h" else 500):
             breach(path, f"{lines} lines: is that one idea?")
         elif lines > 300:
             long_files.append(f"{path.relative_to(root)} ({lines})")

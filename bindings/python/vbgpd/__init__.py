@@ -423,6 +423,10 @@ class Model(_Object):
         """Of a boundary of kind VELOCITY."""
         self._call("set_boundary_velocity", boundary, vx, vy)
 
+    def set_layer_active(self, layer, active):
+        """Takes the soil of a layer away (excavation) or places it (fill)."""
+        self._call("set_layer_active", layer, 1 if active else 0)
+
     def boundary_reaction(self, boundary):
         """The force (x, y) of a boundary on the soil, N per metre run."""
         fx, fy = ctypes.c_double(), ctypes.c_double()

@@ -431,6 +431,7 @@ FUNCTIONS = {
          c_int64)),
     "vbgpd_model_set_load": (c_int32, (vbgpd_model, c_int64, c_double, c_double)),
     "vbgpd_model_set_boundary_velocity": (c_int32, (vbgpd_model, c_int64, c_double, c_double)),
+    "vbgpd_model_set_layer_active": (c_int32, (vbgpd_model, c_int64, c_int32)),
     "vbgpd_model_boundary_reaction": (c_int32, (vbgpd_model, c_int64, POINTER(c_double), POINTER(c_double))),
 }
 

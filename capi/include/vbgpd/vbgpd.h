@@ -405,7 +405,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_read_i64(const vbgpd_model*, int32
 #define VBGPD_SELECT_BOX 2      /* xmin, ymin, xmax, ymax: present position, rim included */
 #define VBGPD_SELECT_POLYGON 3  /* xy, xy_stride, n_points: present position */
 #define VBGPD_SELECT_MATERIAL 4 /* object_id: soil of a material */
-#define VBGPD_SELECT_LAYER 5    /* object_id: soil whose undeformed position a layer of the profile painted last */
+#define VBGPD_SELECT_LAYER 5    /* object_id: soil of the cells that a layer of the profile, as painted, holds most of */
 #define VBGPD_SELECT_BOUNDARY 6 /* object_id: wall particles of a boundary */
 #define VBGPD_SELECT_SOIL 7     /* all that are no wall particles */
 typedef struct vbgpd_selection {
@@ -490,6 +490,19 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_grid(vbgpd_model*, int32_t f
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_load(vbgpd_model*, int64_t load_id, double pressure, double pressure_end);
 /* Of a boundary of kind VBGPD_BOUNDARY_VELOCITY, m/s; another kind gives VBGPD_E_STATE. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_boundary_velocity(vbgpd_model*, int64_t boundary_id, double vx, double vy);
+/* Staged construction: takes the soil of a layer away (active 0: excavation) or places it (1: fill, or a layer switched off
+ * before); at first all layers are there. The soil is that of VBGPD_SELECT_LAYER, with the walls beside it; what the layer
+ * painted over does not come back in its place. Between any two steps, in no step's time; the rest keeps its state.
+ * Off: as air. Its particles keep their ids and read 0 as field "active", as volume, mass, stress, displacement and velocity;
+ *   bonds through them and across the gap are gone, the new surface is a free one. A load of the profile acts on the ground
+ *   that is there now, over the part of x0 to x1 that has soil. Forces and pressures written to its particles wait.
+ * On: placed without stress, at rest, in the present shape, each particle moved as its nearest neighbour that was there;
+ *   no stress changes in what was there. Then it weighs. Its "displacement" counts from the undeformed section.
+ * Saved states and checkpoints bring their layers back; jobs take them over on every grid. Costs about what a model costs to
+ * create, in time and for that time in memory. Setting what is so does nothing.
+ * VBGPD_E_ARGUMENT: no such layer, active neither 0 nor 1, or no soil would be left. VBGPD_E_UNSUPPORTED: a run-out; nor can a
+ * run-out be made of a model with layers switched off (draw the profile of that stage). */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_layer_active(vbgpd_model*, int64_t layer_id, int32_t active);
 /* The force of a boundary on the soil, N per metre run, of total stress: on a slope at rest the reactions of all boundaries
  * balance weight, loads and forces from outside on the soil. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_boundary_reaction(const vbgpd_model*, int64_t boundary_id, double* fx, double* fy);
