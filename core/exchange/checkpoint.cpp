@@ -49,9 +49,12 @@ double finite(double v, const std::string& what) {
   return v;
 }
 
-/// The verifier looks at bounds, not at where the elements of a vector fall.
-void require_aligned(const void* elements) {
-  if (reinterpret_cast<std::uintptr_t>(elements) % alignof(double) != 0) refuse("has an array off its place");
+/// The verifier looks at bounds, not at where the elements of a vector fall; where there are none, a writer does not
+/// care either.
+template <class Vector>
+void require_aligned(const Vector& v) {
+  if (v.size() > 0 && reinterpret_cast<std::uintptr_t>(v.Data()) % alignof(double) != 0)
+    refuse("has an array off its place");
 }
 
 StateImage state_from(const schema::Checkpoint& from) {
@@ -69,7 +72,7 @@ StateImage state_from(const schema::Checkpoint& from) {
     StateImage::Rows rows{name_of(r->name()), r->components(), {}};
     if (rows.components < 1 || rows.components > 8 || r->values()->size() % static_cast<unsigned>(rows.components) != 0)
       refuse("has " + rows.name + " in rows of impossible length");
-    require_aligned(r->values()->Data());
+    require_aligned(*r->values());
     rows.values.assign(r->values()->begin(), r->values()->end());
     for (const double v : rows.values) finite(v, rows.name);
     state.rows.push_back(std::move(rows));
@@ -83,7 +86,7 @@ StateImage state_from(const schema::Checkpoint& from) {
                               std::vector<StateImage::PlasticBond>& to) {
     if (static_cast<std::int64_t>(list.size()) > std::max(state.bonds, state.particles))
       refuse("has more plastic bonds than bonds");
-    require_aligned(list.Data());
+    require_aligned(list);
     for (const schema::PlasticBond* p : list) {
       if (p->a() < 0 || p->b() < 0 || p->a() >= state.particles || p->b() >= state.particles)
         refuse("has a bond between particles that are none");

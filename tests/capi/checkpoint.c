@@ -148,6 +148,27 @@ static void profiles_come_back_from_their_bytes(vbgpd_context* context) {
   CHECK_OK(vbgpd_profile_destroy(again));
 }
 
+/* Nothing has yielded, no load stands: empty arrays lie anywhere among the bytes. */
+static void fresh_models_come_back(vbgpd_context* context) {
+  int64_t length;
+  for (length = 0; length < 8; ++length) {
+    vbgpd_profile* profile = make_profile(context, 2.5);
+    vbgpd_model *model = NULL, *other = NULL;
+    unsigned char* bytes;
+    int64_t size = 0;
+    CHECK_OK(vbgpd_profile_set_text(profile, VBGPD_OBJECT_PROFILE, 0, "name", 4, "hillside", length));
+    CHECK_OK(vbgpd_profile_set_text(profile, VBGPD_OBJECT_MATERIAL, 0, "name", 4, "hillside", length + 1));
+    CHECK_OK(vbgpd_model_create(context, profile, &model));
+    bytes = bytes_of(model, &size);
+    CHECK_OK(vbgpd_model_create_from_checkpoint(context, bytes, size, &other));
+    CHECK(hash_of(model) == hash_of(other));
+    free(bytes);
+    CHECK_OK(vbgpd_profile_destroy(profile));
+    CHECK_OK(vbgpd_model_destroy(model));
+    CHECK_OK(vbgpd_model_destroy(other));
+  }
+}
+
 int main(int argc, char** argv) {
   if (argc == 4) return go_on(argv[2], (int32_t)atoi(argv[3]));
   vbgpd_context* context = context_with(2);
@@ -169,6 +190,7 @@ int main(int argc, char** argv) {
   remove(path);
   free(bytes);
   profiles_come_back_from_their_bytes(context);
+  fresh_models_come_back(context);
   CHECK_OK(vbgpd_model_destroy(model));
   CHECK_OK(vbgpd_context_destroy(context));
   return 0;
