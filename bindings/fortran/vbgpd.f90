@@ -10,7 +10,7 @@ module vbgpd
   use vbgpd_jobs, only: vbgpd_job
   use vbgpd_models, only: vbgpd_model, vbgpd_state
   use vbgpd_profiles, only: vbgpd_profile
-  use vbgpd_support, only: vbgpd_go_on, vbgpd_status_text, vbgpd_text
+  use vbgpd_support, only: vbgpd_go_on, vbgpd_hear, vbgpd_status_text, vbgpd_text
   implicit none
   public
 end module vbgpd

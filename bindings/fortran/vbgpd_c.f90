@@ -86,12 +86,15 @@ module vbgpd_c
   end type vbgpd_error_info
 
   type, bind(C) :: vbgpd_context_desc
-    integer(c_int32_t) :: struct_size = 32
+    integer(c_int32_t) :: struct_size = 56
     integer(c_int32_t) :: abi_version = 0
     integer(c_int32_t) :: threads = 0
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: max_particles = 0
     integer(c_int64_t) :: max_bytes = 0
+    type(c_funptr) :: alloc = c_null_funptr
+    type(c_funptr) :: free = c_null_funptr
+    type(c_ptr) :: alloc_user = c_null_ptr
   end type vbgpd_context_desc
 
   type, bind(C) :: vbgpd_log_line
@@ -251,6 +254,29 @@ module vbgpd_c
   end type vbgpd_event
 
   abstract interface
+    function vbgpd_alloc_fn(user, bytes, alignment) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: user
+      integer(c_int64_t), value :: bytes
+      integer(c_int64_t), value :: alignment
+      type(c_ptr) :: outcome
+    end function vbgpd_alloc_fn
+
+    subroutine vbgpd_free_fn(user, p, bytes, alignment) bind(C)
+      import
+      type(c_ptr), value :: user
+      type(c_ptr), value :: p
+      integer(c_int64_t), value :: bytes
+      integer(c_int64_t), value :: alignment
+    end subroutine vbgpd_free_fn
+
+    subroutine vbgpd_log_fn(user, line, text) bind(C)
+      import
+      type(c_ptr), value :: user
+      type(vbgpd_log_line), intent(in) :: line
+      character(kind=c_char), intent(in), optional :: text(*)
+    end subroutine vbgpd_log_fn
+
     function vbgpd_progress_fn(user, progress) result(outcome) bind(C)
       import
       type(c_ptr), value :: user
@@ -365,6 +391,15 @@ module vbgpd_c
       integer(c_int64_t), intent(inout), optional :: needed
       integer(c_int32_t) :: outcome
     end function vbgpd_context_log_next
+
+    function vbgpd_context_set_log(context, fn, user, level) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: context
+      type(c_funptr), value :: fn
+      type(c_ptr), value :: user
+      integer(c_int32_t), value :: level
+      integer(c_int32_t) :: outcome
+    end function vbgpd_context_set_log
 
     ! ---- the named numbers describe themselves
     function vbgpd_property_count(object_kind, n) result(outcome) bind(C)

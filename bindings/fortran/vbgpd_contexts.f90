@@ -8,11 +8,13 @@ module vbgpd_contexts
 
   type :: vbgpd_context
     type(c_ptr) :: handle = c_null_ptr ! for calls of module vbgpd_c
+    type(log_hearer), pointer, private :: hearer => null()
   contains
     procedure :: create
     procedure :: destroy
     procedure :: last_error
     procedure :: log_next
+    procedure :: set_log
     procedure, private :: copy
     generic :: assignment(=) => copy
     final :: finalize
@@ -47,6 +49,7 @@ contains
     end if
     ignored = vbgpd_context_destroy(self%handle)
     self%handle = fresh
+    if (associated(self%hearer)) deallocate (self%hearer)
     if (present(stat)) stat = status
   end subroutine create
 
@@ -57,7 +60,9 @@ contains
     integer(c_int32_t) :: status
     status = vbgpd_context_destroy(self%handle)
     call conclude(status, vbgpd_context_error, self%handle, stat, errmsg)
-    if (status >= 0) self%handle = c_null_ptr
+    if (status < 0) return
+    self%handle = c_null_ptr
+    if (associated(self%hearer)) deallocate (self%hearer)
   end subroutine destroy
 
   ! The last failure on this object; stat VBGPD_END_OF_DATA when there was none.
@@ -87,6 +92,38 @@ contains
     call conclude(status, vbgpd_context_error, self%handle, stat, errmsg)
   end subroutine log_next
 
+  ! hear is told every line of that level and below, within the call that says it; without hear nobody is any more.
+  subroutine set_log(self, hear, level, stat, errmsg)
+    class(vbgpd_context), intent(inout) :: self
+    procedure(vbgpd_hear), optional :: hear
+    integer(c_int32_t), intent(in), optional :: level
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    type(log_hearer), pointer :: fresh
+    type(c_funptr) :: teller
+    type(c_ptr) :: user
+    integer(c_int32_t) :: status, most
+    most = VBGPD_LOG_INFO
+    if (present(level)) most = level
+    fresh => null()
+    teller = c_null_funptr
+    user = c_null_ptr
+    if (present(hear)) then
+      allocate (fresh)
+      fresh%hear => hear
+      teller = c_funloc(tell_line)
+      user = c_loc(fresh)
+    end if
+    status = vbgpd_context_set_log(self%handle, teller, user, most)
+    if (status >= 0) then
+      if (associated(self%hearer)) deallocate (self%hearer)
+      self%hearer => fresh
+    else if (associated(fresh)) then
+      deallocate (fresh)
+    end if
+    call conclude(status, vbgpd_context_error, self%handle, stat, errmsg)
+  end subroutine set_log
+
   subroutine copy(self, other)
     class(vbgpd_context), intent(inout) :: self
     class(vbgpd_context), intent(in) :: other
@@ -98,5 +135,6 @@ contains
     integer(c_int32_t) :: ignored
     ignored = vbgpd_context_destroy(self%handle)
     self%handle = c_null_ptr
+    if (associated(self%hearer)) deallocate (self%hearer)
   end subroutine finalize
 end module vbgpd_contexts

@@ -5,7 +5,7 @@ module vbgpd_support
   private
   public :: conclude, refuse, read_error, error_reader, vbgpd_text, vbgpd_status_text
   public :: point_view, accept_points, byte_distance, number_text, copied_handle
-  public :: vbgpd_go_on, listener, tell, find_field, item_view, view_of_items, view_of_values
+  public :: vbgpd_hear, log_hearer, tell_line, vbgpd_go_on, listener, tell, find_field, item_view, view_of_items, view_of_values
 
   ! The shape of vbgpd_context_error and its three sisters.
   abstract interface
@@ -36,6 +36,19 @@ module vbgpd_support
       logical :: go_on
     end function vbgpd_go_on
   end interface
+
+  ! A function of the program that is told the lines of the log.
+  abstract interface
+    subroutine vbgpd_hear(line, text)
+      import :: vbgpd_log_line
+      type(vbgpd_log_line), intent(in) :: line
+      character(*), intent(in) :: text
+    end subroutine vbgpd_hear
+  end interface
+
+  type :: log_hearer
+    procedure(vbgpd_hear), pointer, nopass :: hear => null()
+  end type log_hearer
 
   type :: listener
     procedure(vbgpd_go_on), pointer, nopass :: go_on => null()
@@ -179,6 +192,22 @@ contains
     call c_f_pointer(user, hearer)
     stop_now = merge(0_c_int32_t, 1_c_int32_t, hearer%go_on(progress))
   end function tell
+
+  subroutine tell_line(user, line, text) bind(C)
+    type(c_ptr), value :: user
+    type(vbgpd_log_line), intent(in) :: line
+    character(kind=c_char), intent(in), optional :: text(*)
+    type(log_hearer), pointer :: hearer
+    character(247) :: words
+    integer :: n
+    call c_f_pointer(user, hearer)
+    words = ""
+    do n = 1, len(words)
+      if (text(n) == c_null_char) exit
+      words(n:n) = text(n)
+    end do
+    call hearer%hear(line, words(:n - 1))
+  end subroutine tell_line
 
   function byte_distance(from, to) result(bytes)
     type(c_ptr), intent(in) :: from, to

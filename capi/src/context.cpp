@@ -22,6 +22,9 @@ void check(const vbgpd_context_desc& desc) {
   if (desc.threads < 0) throw ArgumentError(1, Status::kRange, "threads must be 0 (all cores) or more.");
   if (desc.max_particles < 0) throw ArgumentError(1, Status::kRange, "max_particles must be 0 (no limit) or more.");
   if (desc.max_bytes < 0) throw ArgumentError(1, Status::kRange, "max_bytes must be 0 (no limit) or more.");
+  if ((desc.alloc == nullptr) != (desc.free == nullptr)) {
+    throw ArgumentError(1, Status::kArgument, "alloc and free must both be given, or neither of them.");
+  }
   if (desc.reserved != 0) throw ArgumentError(1, Status::kArgument, "reserved must be 0.");
 }
 
@@ -58,6 +61,7 @@ vbgpd_status vbgpd_context_create(const vbgpd_context_desc* d, vbgpd_context** o
     context->threads = thread_count(desc.threads);
     context->max_particles = desc.max_particles;
     context->max_bytes = desc.max_bytes;
+    if (desc.alloc != nullptr) context->heap = {desc.alloc, desc.free, desc.alloc_user};
     hand_out(std::move(context), out);
     return Status::kOk;
   });

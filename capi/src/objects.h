@@ -19,13 +19,16 @@ namespace vbgpd::capi {
 struct ContextObject : Object {
   static constexpr ObjectKind kKind = ObjectKind::kContext;
   ContextObject() : Object(kKind) {}
+  ~ContextObject() override { log->fall_silent(); }
   CompileOptions options() const {
     CompileOptions o;
     o.threads = threads, o.max_particles = max_particles, o.max_bytes = max_bytes, o.log = log;
+    o.heap = heap;
     return o;
   }
   int threads = 1;
   std::int64_t max_particles = 0, max_bytes = 0;
+  Heap heap;
   std::shared_ptr<LogRing> log = std::make_shared<LogRing>();  ///< shared with the models made here
 };
 

@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
-#include <new>
+#include <utility>
+
+#include "base/heap.h"
 
 namespace vbgpd {
 
@@ -16,32 +17,36 @@ class Array {
  public:
   Array() = default;
   Array(const Array& other) { *this = other; }
-  Array(Array&&) noexcept = default;
-  Array& operator=(Array&&) noexcept = default;
+  Array(Array&& other) noexcept { exchange(other); }
+  Array& operator=(Array&& other) noexcept {
+    Array taken(std::move(other));
+    exchange(taken);
+    return *this;
+  }
+  /// A copy comes from the heap of what it is a copy of, unless its size was right already.
   Array& operator=(const Array& other) {
     if (this == &other) return *this;
-    if (size_ != other.size_) allocate(other.size_, other.stagger_);
+    if (size_ != other.size_) allocate(other.size_, other.stagger_, other.heap_);
     if (size_ != 0) std::memcpy(data(), other.data(), size_ * sizeof(double));
     return *this;
   }
+  ~Array() { release(); }
 
   /// n zeros; `stagger` is the array's number in the list of arrays. Absent when memory runs out.
-  void allocate(std::size_t n, int stagger) {
+  void allocate(std::size_t n, int stagger, const Heap& heap = {}) {
+    release();
     stagger_ = stagger;
-    size_ = 0;
-    storage_.reset();
     if (n == 0) return;
     const std::size_t shift = 64 * static_cast<std::size_t>(5 * (stagger % 13));
-    bytes_ = n * sizeof(double) + shift;
-    storage_.reset(static_cast<std::byte*>(::operator new (bytes_, std::align_val_t{64})));
-    std::memset(storage_.get(), 0, bytes_);
-    shift_ = shift;
-    size_ = n;
+    const std::size_t bytes = n * sizeof(double) + shift;
+    storage_ = static_cast<std::byte*>(heap.take(bytes, kAlignment));
+    std::memset(storage_, 0, bytes);
+    heap_ = heap, bytes_ = bytes, shift_ = shift, size_ = n;
   }
   bool present() const { return size_ != 0; }
   std::size_t size() const { return size_; }
   std::size_t bytes() const { return size_ == 0 ? 0 : bytes_; }
-  double* data() { return size_ == 0 ? nullptr : reinterpret_cast<double*>(storage_.get() + shift_); }
+  double* data() { return size_ == 0 ? nullptr : reinterpret_cast<double*>(storage_ + shift_); }
   const double* data() const { return const_cast<Array*>(this)->data(); }
   double& operator[](std::size_t i) { return data()[i]; }
   double operator[](std::size_t i) const { return data()[i]; }
@@ -50,12 +55,20 @@ class Array {
   }
 
  private:
-  struct Free {
-    void operator()(std::byte* p) const { ::operator delete (p, std::align_val_t{64}); }
-  };
-  std::unique_ptr<std::byte, Free> storage_;
+  static constexpr std::size_t kAlignment = 64;
+  void release() noexcept {
+    if (storage_ != nullptr) heap_.give_back(storage_, bytes_, kAlignment);
+    storage_ = nullptr, size_ = 0;
+  }
+  void exchange(Array& other) noexcept {
+    std::swap(storage_, other.storage_), std::swap(size_, other.size_), std::swap(shift_, other.shift_);
+    std::swap(bytes_, other.bytes_), std::swap(stagger_, other.stagger_), std::swap(heap_, other.heap_);
+  }
+
+  std::byte* storage_ = nullptr;
   std::size_t size_ = 0, shift_ = 0, bytes_ = 0;
   int stagger_ = 0;
+  Heap heap_;
 };
 
 }  // namespace vbgpd

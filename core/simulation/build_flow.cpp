@@ -81,8 +81,8 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
       std::count_if(section.seeds.begin(), section.seeds.end(), [](const Seed& s) { return s.hold == Hold::kFree; });
   const auto n = static_cast<std::size_t>(m.particles);
   for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.reference_x, &m.reference_y, &m.size})
-    a->allocate(n, 0);
-  m.extra_cohesion.allocate(lattice.extra_cohesion.present() ? n : 0, 0);
+    a->allocate(n, 0, m.heap);
+  m.extra_cohesion.allocate(lattice.extra_cohesion.present() ? n : 0, 0, m.heap);
   m.material.resize(n);
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
     const Seed& seed = section.seeds[k];
@@ -106,6 +106,7 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
                 "kernel '" + scene.kernel + "': a run-out knows wendland_c2 only; set the profile's kernel to it");
   FlowModel m;
   m.options = options;
+  m.heap = from.options().heap;
   m.bond = bond_law_by_name(scene.bond)->in_runout;
   m.origin = from.section().lattice.origin;
   const Vec2 spacing = from.section().lattice.spacing;

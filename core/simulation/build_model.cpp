@@ -94,8 +94,8 @@ void find_features(const SceneDef& scene, const Section& section, Model& m) {
 void build_masses(const SceneDef& scene, const Section& section, Model& m) {
   const auto n = static_cast<std::size_t>(m.storage);
   for (Array* a : {&m.force_x, &m.force_y, &m.free_x, &m.free_y, &m.mass})
-    a->allocate(n, static_cast<int>(a - &m.force_x) + 2);
-  if (m.features.cohesion_gradient) m.extra_cohesion.allocate(n, 9);
+    a->allocate(n, static_cast<int>(a - &m.force_x) + 2, m.heap);
+  if (m.features.cohesion_gradient) m.extra_cohesion.allocate(n, 9, m.heap);
   // Weightless soil still needs inertia for dynamic steps: a weight that the loads would balance over the section's
   // height.
   Real heaviest = 0, load = 0;
@@ -192,8 +192,9 @@ void measure_forces(Model& m) {
   }
 }
 
-Model build_model(const SceneDef& scene, const Section& section, int width) {
+Model build_model(const SceneDef& scene, const Section& section, int width, const Heap& heap) {
   Model m;
+  m.take_from(heap);
   m.width = width;
   const Real spacing = std::sqrt(section.lattice.spacing.prod());
   build_materials(scene, spacing, mean_stress(scene, section), m);

@@ -9,7 +9,7 @@
 namespace vbgpd {
 
 /// `width` lanes per pack. The scene is valid (validate, check_geometry).
-Model build_model(const SceneDef& scene, const Section& section, int width);
+Model build_model(const SceneDef& scene, const Section& section, int width, const Heap& heap = {});
 
 /// What drives the soil as the scene says.
 Drive scene_drive(const SceneDef& scene, const Section& section);

@@ -112,14 +112,14 @@ void FlowSimulation::arrange_scratch() {
                    &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y}) {
     const bool slope = a == &scratch_.slope_x || a == &scratch_.slope_y;
     if (slope && !diffuses) continue;
-    if (a->size() != 4 * all) a->allocate(4 * all, stagger++);
+    if (a->size() != 4 * all) a->allocate(4 * all, stagger++, model_.heap);
   }
   if (model_.bond == FlowBondLaw::kArtificialStress && scratch_.artificial.size() != 4 * (n + 1))
-    scratch_.artificial.allocate(4 * (n + 1), stagger++);
-  if (scratch_.next_stress.size() != 4 * (n + 1)) scratch_.next_stress.allocate(4 * (n + 1), stagger++);
+    scratch_.artificial.allocate(4 * (n + 1), stagger++, model_.heap);
+  if (scratch_.next_stress.size() != 4 * (n + 1)) scratch_.next_stress.allocate(4 * (n + 1), stagger++, model_.heap);
   if (model_.bond == FlowBondLaw::kVirtual && scratch_.pair_force.size() != 2 * n)
-    scratch_.pair_force.allocate(2 * n, stagger++);
-  scratch_.weight.allocate(4 * (lists_.ghosts.size() + 1), stagger++);
+    scratch_.pair_force.allocate(2 * n, stagger++, model_.heap);
+  scratch_.weight.allocate(4 * (lists_.ghosts.size() + 1), stagger++, model_.heap);
   for (Array* a : {&scratch_.gradient, &scratch_.bond, &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y})
     for (std::size_t k = 0; a->present() && k < 4; ++k) (*a)[4 * n + k] = 0;
   for (std::size_t k = 0; k < 4; ++k) scratch_.motion[4 * n + k] = k < 2 ? kBlank : 0;

@@ -22,7 +22,7 @@ Array by_storage(const Model& m, const std::vector<double>& rows, std::size_t co
   bool any = false;
   for (std::size_t k = c; k < rows.size(); k += components) any |= rows[k] != 0;
   if (!any) return out;
-  out.allocate(static_cast<std::size_t>(m.storage), stagger);
+  out.allocate(static_cast<std::size_t>(m.storage), stagger, m.heap);
   for (std::size_t k = 0; k < m.id_of.size(); ++k)
     out[static_cast<std::size_t>(m.storage_of[k])] = rows[static_cast<std::size_t>(m.id_of[k]) * components + c];
   return out;

@@ -183,9 +183,9 @@ void LatticeSimulation::restore_image(const StateImage& image) {
   Outside outside;
   const auto storage = static_cast<std::size_t>(model_.storage);
   if (const auto* p = rows(image, "pore_pressure", 1, n))
-    outside.pore_pressure.allocate(storage, 2), by_id.scatter(*p, {&outside.pore_pressure});
+    outside.pore_pressure.allocate(storage, 2, model_.heap), by_id.scatter(*p, {&outside.pore_pressure});
   if (const auto* f = rows(image, "external_force", 2, n)) {
-    outside.external_x.allocate(storage, 3), outside.external_y.allocate(storage, 4);
+    outside.external_x.allocate(storage, 3, model_.heap), outside.external_y.allocate(storage, 4, model_.heap);
     by_id.scatter(*f, {&outside.external_x, &outside.external_y});
   }
 

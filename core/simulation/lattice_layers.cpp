@@ -13,7 +13,7 @@ LatticeSimulation::Stage LatticeSimulation::stage(const Layers& layers, bool pla
   s.layers = layers;
   s.section = section_;
   keep_layers(scene_, layers, s.section);
-  s.model = build_model(scene_, s.section, kernels_.width);
+  s.model = build_model(scene_, s.section, kernels_.width, options_.heap);
   if (placed) {
     Features& f = s.model.features;
     f.placed = f.plastic = f.volumetric_plastic = true;

@@ -153,7 +153,7 @@ Occupancy number_particles(const Section& section, const Columns& columns, Model
   m.material.assign(n, -1);
   m.storage_of.resize(section.seeds.size());
   m.id_of.resize(section.seeds.size());
-  m.volume.allocate(n, 0);
+  m.volume.allocate(n, 0, m.heap);
   std::int32_t id = 0;
   for (const bool soil : {true, false})
     for (std::size_t k = 0; k < section.seeds.size(); ++k)
@@ -219,7 +219,7 @@ std::uint16_t pair_of(const Model& m, std::int32_t i, std::int32_t j) {
 }
 
 /// One pack per pair of materials among the bonds between block `i` and `j`; all share one record.
-void add_packs(const Occupancy& who, std::int32_t i, std::int32_t j, std::uint8_t offset, std::vector<BondPack>& packs,
+void add_packs(const Occupancy& who, std::int32_t i, std::int32_t j, std::uint8_t offset, List<BondPack>& packs,
                Model& m) {
   std::map<std::uint16_t, std::uint8_t> pairs;
   int occupied = 0;
@@ -244,7 +244,8 @@ int algorithm_of_pack(const Model& m, const BondPack& p) { return static_cast<in
 void build_chunks(Model& m) {
   constexpr std::int32_t kLeast =
       512;  // particles: enough for one turn of a thread, few enough for a wave of six chunks to stay in cache
-  std::vector<BondPack> packs;
+  List<BondPack> packs;
+  use(packs, m.heap);
   const Occupancy who{m, {}};
   std::int32_t reach = kLeast;
   for (const BondPack& p : m.packs) reach = std::max(reach, p.j + 2 * m.width - p.i);
@@ -288,10 +289,10 @@ Mat2 guarded_inverse(const Mat2& moment) {
 /// omega0_i, M_i (VB1) and the stiffness-proportional mass sum_j B_ij/2 (K + 4G/3).
 void build_operators(Model& m) {
   const auto n = static_cast<std::size_t>(m.storage);
-  m.share.allocate(n, 1);
-  m.moment_xx.allocate(n, 2), m.moment_xy.allocate(n, 3), m.moment_yy.allocate(n, 4);
-  m.scaled_mass.allocate(n, 5);
-  m.sum_x.allocate(n, 6), m.sum_y.allocate(n, 7);
+  m.share.allocate(n, 1, m.heap);
+  m.moment_xx.allocate(n, 2, m.heap), m.moment_xy.allocate(n, 3, m.heap), m.moment_yy.allocate(n, 4, m.heap);
+  m.scaled_mass.allocate(n, 5, m.heap);
+  m.sum_x.allocate(n, 6, m.heap), m.sum_y.allocate(n, 7, m.heap);
   const auto each_neighbour = [&](auto&& f) {
     for (const Block& block : m.blocks)
       for (int l = 0; l < m.width; ++l) {

@@ -36,12 +36,12 @@ LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions
   if (options.coarsening > 1) lattice = coarsened(lattice, options.coarsening);
   require_bytes(scene, lattice, kernels.width, options.max_bytes);
   section_ = discretise(scene, lattice, support_reach(scene), options.max_particles);
-  model_ = build_model(scene_, section_, kernels.width);
+  model_ = build_model(scene_, section_, kernels.width, options.heap);
   drive_ = scene_drive(scene_, section_);
   state_.allocate(model_);
   scratch_.allocate(model_);
   partial_.resize(model_.chunks.size());
-  zero_.allocate(static_cast<std::size_t>(model_.storage), 0);
+  zero_.allocate(static_cast<std::size_t>(model_.storage), 0, model_.heap);
   set_factor(1);
   elastic_constants_ = pair_constants(model_, 1, true);
 }
@@ -57,7 +57,7 @@ void LatticeSimulation::take_constants(Real factor, std::vector<LawConstants> co
 
 void LatticeSimulation::fit_dilation_cap(const Model& m, const std::vector<LawConstants>& constants, Array& cap) {
   if (!m.features.volumetric_plastic) return;
-  if (!cap.present()) cap.allocate(static_cast<std::size_t>(m.storage), 12);
+  if (!cap.present()) cap.allocate(static_cast<std::size_t>(m.storage), 12, m.heap);
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.storage); ++i) {
     if (m.seed_of[i] < 0) continue;
     const LawConstants& c = constants[static_cast<std::size_t>(m.material[i] * m.materials + m.material[i])];
@@ -101,8 +101,8 @@ void LatticeSimulation::run_step(State& state, Scratch& scratch, const Controls&
 void LatticeSimulation::set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const {
   const auto n = static_cast<std::size_t>(model_.storage);
   Array x, y;  // both or none, should memory run out
-  x.allocate(n, 10);
-  y.allocate(n, 11);
+  x.allocate(n, 10, model_.heap);
+  y.allocate(n, 11, model_.heap);
   for (std::size_t i = 0; i < n; ++i) {
     if (!(mass[i] > 0)) continue;
     x[i] = model_.free_x[i] / mass[i];

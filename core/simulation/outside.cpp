@@ -8,7 +8,7 @@ namespace vbgpd {
 
 PoreFlux::PoreFlux(const Model& m, const Array& pressure) {
   const auto n = static_cast<std::size_t>(m.storage);
-  xx.allocate(n, 4), xy.allocate(n, 5), yy.allocate(n, 6);
+  xx.allocate(n, 4, m.heap), xy.allocate(n, 5, m.heap), yy.allocate(n, 6, m.heap);
   // VB5 for an isotropic stress: V_i S_i = m I sum_j B_ij/2, and no pair force
   const bool bonded = m.features.bond != BondLaw::kNone;
   for (const BondPack& p : m.packs)

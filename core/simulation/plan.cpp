@@ -9,8 +9,8 @@ namespace vbgpd {
 
 namespace {
 
-template <class T>
-std::size_t bytes_of(const std::vector<T>& v) {
+template <class T, class A>
+std::size_t bytes_of(const std::vector<T, A>& v) {
   return v.capacity() * sizeof(T);
 }
 

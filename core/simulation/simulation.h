@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/heap.h"
 #include "base/log.h"
 #include "base/state_image.h"
 #include "geometry/section.h"
@@ -60,6 +61,7 @@ struct CompileOptions {
   int lattice_multiple = 2;        ///< key lines are asked to fall on every that many-th cell edge
   int coarsening = 1;              ///< then the cells are made this many times larger
   std::int64_t max_bytes = 0;      ///< predicted_bytes beyond it are refused; 0 = no limit
+  Heap heap;                       ///< where arrays and lists come from
   std::shared_ptr<Log> log;        ///< may be null; the grids of jobs speak to the same one
 };
 

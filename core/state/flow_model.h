@@ -34,6 +34,7 @@ struct FlowOptions {
 };
 
 struct FlowModel {
+  Heap heap;  ///< where arrays and lists come from
   FlowOptions options;
   FlowBondLaw bond = FlowBondLaw::kVirtual;
   std::int64_t particles = 0;
@@ -93,7 +94,7 @@ struct FlowState {
 /// What follows from FlowState::listed, and the constants of the particles in the present order.
 struct FlowLists {
   std::vector<FlowRow> rows;
-  std::vector<std::int32_t> neighbours;  ///< four to a pack; soil below `particles`, the blank one, then ghosts
+  List<std::int32_t> neighbours;  ///< four to a pack; soil below `particles`, the blank one, then ghosts
   std::vector<FlowGhost> ghosts;
   std::vector<std::int32_t> soil;  ///< material
   Array constants;                 ///< [4(n + 1)] volume (m2), mass (kg), K + 4G/3 (Pa), size (m)

@@ -202,10 +202,10 @@ class Lister {
 void place_constants(const FlowModel& m, const FlowState& s, FlowLists& lists) {
   const auto n = static_cast<std::size_t>(m.particles), ghosts = lists.ghosts.size();
   lists.soil.resize(n);
-  lists.constants.allocate(4 * (n + 1), 1);
-  lists.volume.allocate(n + ghosts + 1, 2);
-  lists.force.allocate(2 * n, 3);
-  lists.extra_cohesion.allocate(m.extra_cohesion.size(), 4);
+  lists.constants.allocate(4 * (n + 1), 1, m.heap);
+  lists.volume.allocate(n + ghosts + 1, 2, m.heap);
+  lists.force.allocate(2 * n, 3, m.heap);
+  lists.extra_cohesion.allocate(m.extra_cohesion.size(), 4, m.heap);
   for (std::size_t i = 0; i < n; ++i) {
     const auto id = static_cast<std::size_t>(s.particle[i]);
     const LawConstants& moduli = m.moduli[static_cast<std::size_t>(m.material[id])];
@@ -237,6 +237,7 @@ const double* traction_between(const FlowLists& lists, const Array& traction, st
 }  // namespace
 
 void list_neighbours(const FlowModel& m, const FlowState& s, FlowLists& lists) {
+  use(lists.neighbours, m.heap);
   Lister(m, s, lists).list();
   place_constants(m, s, lists);
 }
@@ -254,7 +255,7 @@ void search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
   list_neighbours(m, s, lists = FlowLists{});
   s.traction = Array{};
   if (!m.keeps_bonds()) return;
-  s.traction.allocate(2 * lists.neighbours.size(), 8);
+  s.traction.allocate(2 * lists.neighbours.size(), 8, m.heap);
   if (!traction.present()) return;
   for (std::size_t i = 0; i < n; ++i)
     for (auto k = 4 * static_cast<std::size_t>(lists.rows[i].begin);

@@ -6,8 +6,8 @@ namespace vbgpd {
 
 namespace {
 
-template <class T>
-std::size_t bytes_of(const std::vector<T>& v) {
+template <class T, class A>
+std::size_t bytes_of(const std::vector<T, A>& v) {
   return v.capacity() * sizeof(T);
 }
 std::size_t bytes_of(std::initializer_list<const Array*> arrays) {
@@ -35,14 +35,14 @@ std::size_t FlowScratch::bytes() const {
 
 void FlowState::allocate(const FlowModel& m) {
   const auto n = static_cast<std::size_t>(m.particles);
-  motion.allocate(4 * n, 1);
-  stress.allocate(4 * (n + 1), 2);
-  gap.allocate(n, 3);
-  plastic_strain.allocate(n, 4);
-  wall_shear.allocate(m.walls.empty() ? 0 : n, 5);
-  particle.allocate(n, 6);
-  listed.allocate(2 * n, 7);
-  dead.allocate(m.bond == FlowBondLaw::kGpd ? n : 0, 9);
+  motion.allocate(4 * n, 1, m.heap);
+  stress.allocate(4 * (n + 1), 2, m.heap);
+  gap.allocate(n, 3, m.heap);
+  plastic_strain.allocate(n, 4, m.heap);
+  wall_shear.allocate(m.walls.empty() ? 0 : n, 5, m.heap);
+  particle.allocate(n, 6, m.heap);
+  listed.allocate(2 * n, 7, m.heap);
+  dead.allocate(m.bond == FlowBondLaw::kGpd ? n : 0, 9, m.heap);
 }
 
 std::size_t FlowState::bytes() const {

@@ -25,15 +25,16 @@ struct Features {
 };
 
 struct Model {
+  Heap heap;  ///< where its arrays and lists come from, and those of its states
   // lattice, offsets
   int width = 4;                ///< lanes of a pack
   std::int64_t storage = 0;     ///< length of particle arrays, padding included
   std::vector<Offset> offsets;  ///< forward ones first, then the opposites
   int forward_offsets = 0;
   // lists
-  std::vector<Block> blocks;
-  std::vector<NeighbourPack> neighbours;
-  std::vector<BondPack> packs;
+  List<Block> blocks;
+  List<NeighbourPack> neighbours;
+  List<BondPack> packs;
   std::vector<Chunk> chunks;
   std::int64_t slots = 0;  ///< bond records of `width` lanes each
   std::vector<GuidedParticle> guided;
@@ -48,11 +49,11 @@ struct Model {
   Array mass;                             ///< true mass, kg
   Array scaled_mass;     ///< mass of the quasi-static relaxation, proportional to the stiffness around the particle
   Array extra_cohesion;  ///< present with a cohesion gradient: Pa above the material's cohesion
-  std::vector<std::int32_t> material;  ///< per storage index, -1 = padding
+  List<std::int32_t> material;  ///< per storage index, -1 = padding
   // bookkeeping between seeds and storage
-  std::vector<std::int32_t> seed_of;     ///< storage -> seed, -1 = padding
-  std::vector<std::int32_t> storage_of;  ///< seed -> storage
-  std::vector<std::int32_t> id_of;       ///< seed -> particle id (soil first, then walls)
+  List<std::int32_t> seed_of;     ///< storage -> seed, -1 = padding
+  List<std::int32_t> storage_of;  ///< seed -> storage
+  List<std::int32_t> id_of;       ///< seed -> particle id (soil first, then walls)
   // materials
   int materials = 0;
   std::vector<AnyLaw> pair_law;            ///< [materials x materials]
@@ -62,6 +63,8 @@ struct Model {
   Real height = 0, stress_scale = 0, force_scale = 0,
        stiffness = 0;  ///< H, gamma H or q, sum |f_ext|, harmonic mean of Young's modulus over the soil
   std::int64_t particles = 0, soil_particles = 0, bonds = 0;
+  /// Empty lists of the heap.
+  void take_from(const Heap& heap);
   std::size_t bytes() const;
 };
 

@@ -6,12 +6,18 @@ namespace vbgpd {
 
 namespace {
 
-template <class T>
-std::size_t bytes_of(const std::vector<T>& v) {
+template <class T, class A>
+std::size_t bytes_of(const std::vector<T, A>& v) {
   return v.capacity() * sizeof(T);
 }
 
 }  // namespace
+
+void Model::take_from(const Heap& from) {
+  heap = from;
+  use(blocks, heap), use(neighbours, heap), use(packs, heap);
+  use(material, heap), use(seed_of, heap), use(storage_of, heap), use(id_of, heap);
+}
 
 std::size_t Model::bytes() const {
   std::size_t sum = bytes_of(offsets) + bytes_of(blocks) + bytes_of(neighbours) + bytes_of(packs) + bytes_of(chunks) +
@@ -24,15 +30,15 @@ std::size_t Model::bytes() const {
 
 void State::allocate(const Model& m) {
   const auto n = static_cast<std::size_t>(m.storage);
-  displacement_x.allocate(n, 1);
-  displacement_y.allocate(n, 2);
-  velocity_x.allocate(n, 3);
-  velocity_y.allocate(n, 4);
-  plastic_volume.allocate(m.features.volumetric_plastic ? n : 0, 5);
+  displacement_x.allocate(n, 1, m.heap);
+  displacement_y.allocate(n, 2, m.heap);
+  velocity_x.allocate(n, 3, m.heap);
+  velocity_y.allocate(n, 4, m.heap);
+  plastic_volume.allocate(m.features.volumetric_plastic ? n : 0, 5, m.heap);
   const std::size_t records =
       m.features.bond == BondLaw::kNone ? n : static_cast<std::size_t>(m.slots) * static_cast<std::size_t>(m.width);
-  plastic_strain.allocate(m.features.plastic ? 3 * records : 0, 6);
-  placed_strain.allocate(m.features.placed ? 3 * records : 0, 12);
+  plastic_strain.allocate(m.features.plastic ? 3 * records : 0, 6, m.heap);
+  placed_strain.allocate(m.features.placed ? 3 * records : 0, 12, m.heap);
 }
 
 std::size_t State::bytes() const {
@@ -60,8 +66,9 @@ void Scratch::allocate(const Model& m) {
   int stagger = 7;
   for (Array* a : {&weighted_x, &weighted_y, &gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation,
                    &flux_xx, &flux_xy, &flux_yx, &flux_yy, &pair_force_x, &pair_force_y})
-    a->allocate(n, stagger++);
-  for (Array* a : {&volume_source, &opening, &mean_load}) a->allocate(m.features.volumetric_plastic ? n : 0, stagger++);
+    a->allocate(n, stagger++, m.heap);
+  for (Array* a : {&volume_source, &opening, &mean_load})
+    a->allocate(m.features.volumetric_plastic ? n : 0, stagger++, m.heap);
   if (m.features.bond == BondLaw::kNone) pair_force_x.allocate(0, 0), pair_force_y.allocate(0, 0);
 }
 

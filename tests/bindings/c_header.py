@@ -67,7 +67,7 @@ class Header:
         self.structs = {name: list(_members(body)) for name, body in
                         re.findall(r"typedef struct (\w+) \{(.*?)\} \1;", code, flags=re.S)}
         self.callbacks = {name: Function(name, result, self._parameters(inner)) for result, name, inner in
-                          re.findall(r"typedef (\w+)\(VBGPD_CALL\* (\w+)\)\((.*?)\);", code, flags=re.S)}
+                          re.findall(r"typedef (\w+\**)\(VBGPD_CALL\* (\w+)\)\((.*?)\);", code, flags=re.S)}
         self.functions = {name: Function(name, result, self._parameters(inner)) for result, name, inner in
                           re.findall(r"VBGPD_API ([^;(]*?) VBGPD_CALL (\w+)\((.*?)\);", code, flags=re.S)}
         self._expect("typedefs", len(re.findall(r"^typedef ", code, flags=re.M)),
@@ -88,7 +88,8 @@ class Header:
         """Offsets of the members and the size of a struct under natural alignment."""
         offsets, at, widest = {}, 0, 1
         for field in self.structs[struct]:
-            size = POINTER_SIZE if field.kind.endswith("*") else SCALARS[field.kind]
+            pointer = field.kind.endswith("*") or field.kind in self.callbacks
+            size = POINTER_SIZE if pointer else SCALARS[field.kind]
             at = -(-at // size) * size
             offsets[field.name] = at
             at += size

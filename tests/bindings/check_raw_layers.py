@@ -37,7 +37,7 @@ PYTHON = load_raw()
 PYTHON_SCALARS = {"int32_t": ctypes.c_int32, "uint32_t": ctypes.c_uint32, "int64_t": ctypes.c_int64,
                   "uint64_t": ctypes.c_uint64, "double": ctypes.c_double, "vbgpd_status": ctypes.c_int32,
                   "const char*": ctypes.c_char_p, "void*": ctypes.c_void_p, "const void*": ctypes.c_void_p,
-                  "char*": ctypes.POINTER(ctypes.c_char)}
+                  "char*": ctypes.POINTER(ctypes.c_char), "void": None}
 FORTRAN_SCALARS = {"int32_t": "integer(c_int32_t)", "uint32_t": "integer(c_int32_t)", "int64_t": "integer(c_int64_t)",
                    "uint64_t": "integer(c_int64_t)", "double": "real(c_double)", "vbgpd_status": "integer(c_int32_t)"}
 # Fortran does not tell capitals apart.
@@ -129,9 +129,10 @@ def check_fortran(header, expect):
     wanted = {FORTRAN_NAMES.get(n, n): ("integer(c_int32_t), parameter", v) for n, v in header.constants.items()}
     wanted["VBGPD_STRLEN"] = ("integer(c_int64_t), parameter", header.constants.get("VBGPD_STRLEN"))
     expect("Fortran constants", list(wanted.items()), list(FORTRAN.constants.items()))
+    members = {**FORTRAN_SCALARS, **{name: "type(c_funptr)" for name in header.callbacks}}
     expect("Fortran types", list(header.structs), list(FORTRAN.types))
     for name in set(header.structs) & set(FORTRAN.types):
-        expect(f"Fortran {name}", [(f.name, FORTRAN_SCALARS.get(f.kind, "type(c_ptr)")) for f in header.structs[name]],
+        expect(f"Fortran {name}", [(f.name, members.get(f.kind, "type(c_ptr)")) for f in header.structs[name]],
                [(member, kind) for member, kind, _ in FORTRAN.types[name]])
         expect(f"Fortran size of {name}", str(header.layout(name)[1]), FORTRAN.types[name][0][2])
     functions = {**header.callbacks, **header.functions}
@@ -139,7 +140,7 @@ def check_fortran(header, expect):
     for name in set(functions) & set(FORTRAN.functions):
         function = functions[name]
         parameters = [(parameter_name(p), fortran_type(header, function, i)) for i, p in enumerate(function.parameters)]
-        result = FORTRAN_SCALARS.get(function.result, "type(c_ptr)")
+        result = None if function.result == "void" else FORTRAN_SCALARS.get(function.result, "type(c_ptr)")
         expect(f"Fortran {name}", (parameters, result), FORTRAN.functions[name])
 
 

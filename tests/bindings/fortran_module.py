@@ -41,6 +41,8 @@ class Module:
                 self.types[match[1]] = [_declaration(s) for s in self._until(statements, f"end type {match[1]}")]
             elif match := re.fullmatch(r"function (\w+)\((.*?)\) result\(outcome\) bind\(C\)", statement):
                 self.functions[match[1]] = self._function(match[1], match[2], statements)
+            elif match := re.fullmatch(r"subroutine (\w+)\((.*?)\) bind\(C\)", statement):
+                self.functions[match[1]] = self._function(match[1], match[2], statements, "subroutine")
             elif re.search(r"\b(function|subroutine|type)\b", statement) and not statement.startswith("end"):
                 raise FortranError(f"statement not understood: {statement}")
 
@@ -52,10 +54,10 @@ class Module:
             yield statement
         raise FortranError(f"'{end}' is missing")
 
-    def _function(self, name, dummies, statements):
-        body = [s for s in self._until(statements, f"end function {name}") if s != "import"]
+    def _function(self, name, dummies, statements, kind="function"):
+        body = [s for s in self._until(statements, f"end {kind} {name}") if s != "import"]
         declared = {n: kind for n, kind, _ in map(_declaration, body)}
         order = [d.strip() for d in dummies.split(",") if d.strip()]
-        if set(order) | {"outcome"} != set(declared):
+        if set(order) | ({"outcome"} if kind == "function" else set()) != set(declared):
             raise FortranError(f"{name}: the arguments {order} are declared as {sorted(declared)}")
-        return [(dummy, declared[dummy]) for dummy in order], declared["outcome"]
+        return [(dummy, declared[dummy]) for dummy in order], declared.get("outcome")

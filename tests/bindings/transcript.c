@@ -467,6 +467,28 @@ static void step_coupling(vbgpd_context* context, vbgpd_profile* profile) {
   vbgpd_model_destroy(model);
 }
 
+static void VBGPD_CALL hear(void* user, const vbgpd_log_line* line, const char* text) {
+  ++*(int*)user;
+  printf("   heard level %d: %s\n", line->level, text);
+}
+
+static void step_log(vbgpd_context* context, vbgpd_model* model) {
+  vbgpd_model* other = NULL;
+  int64_t size = 0;
+  int lines = 0;
+  char* bytes;
+  vbgpd_status s[3];
+  vbgpd_model_checkpoint(model, NULL, 0, &size);
+  bytes = malloc((size_t)size);
+  vbgpd_model_checkpoint(model, bytes, size, &size);
+  s[0] = vbgpd_context_set_log(context, hear, &lines, VBGPD_LOG_INFO);
+  s[1] = vbgpd_model_create_from_checkpoint(context, bytes, size, &other);
+  s[2] = vbgpd_context_set_log(context, NULL, NULL, VBGPD_LOG_INFO);
+  printf("   told %d %d %d, %d lines\n", s[0], s[1], s[2], lines);
+  vbgpd_model_destroy(other);
+  free(bytes);
+}
+
 static void step_memory(vbgpd_context* context, vbgpd_model* model) {
   vbgpd_log_line line = {.struct_size = sizeof line};
   vbgpd_memory m = {.struct_size = sizeof m};
@@ -505,6 +527,7 @@ int main(void) {
   say_numbers(model, sizes, 7);
   say_hash(model);
   step_memory(context, model);
+  step_log(context, model);
   step_equilibrium(model);
   step_fields(model);
   step_dynamics(model);

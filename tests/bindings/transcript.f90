@@ -135,6 +135,7 @@ end module transcript_lines
 module transcript_steps
   use transcript_lines
   implicit none
+  integer(c_int32_t) :: lines_heard = 0
   real(c_double), parameter :: outline(2, 6) = &
     reshape([real(c_double) :: 0, 0, 40, 0, 40, 5, 25, 5, 15, 15, 0, 15], [2, 6])
   integer :: calls = 0
@@ -621,6 +622,27 @@ contains
     call say(" snapshot " // num32(s) // " " // num(size(bytes, kind=c_int64_t)))
   end subroutine step_checkpoint
 
+  subroutine hear(line, text)
+    type(vbgpd_log_line), intent(in) :: line
+    character(*), intent(in) :: text
+    lines_heard = lines_heard + 1
+    call say("   heard level " // num32(line%level) // ": " // text)
+  end subroutine hear
+
+  subroutine step_log(context, model)
+    type(vbgpd_context), intent(inout) :: context
+    type(vbgpd_model), intent(in) :: model
+    type(vbgpd_model) :: other
+    integer(c_int8_t), allocatable :: bytes(:)
+    integer(c_int32_t) :: s(3)
+    lines_heard = 0
+    call model%checkpoint(bytes, s(1))
+    call context%set_log(hear, stat=s(1))
+    call other%create_from_checkpoint(context, bytes, s(2))
+    call context%set_log(stat=s(3))
+    call say("   told " // num32(s(1)) // " " // num32(s(2)) // " " // num32(s(3)) // ", " // num32(lines_heard) // " lines")
+  end subroutine step_log
+
   subroutine step_memory(context, model)
     type(vbgpd_context), intent(in) :: context
     type(vbgpd_model), intent(in) :: model
@@ -696,6 +718,7 @@ program transcript
                            "spacing_y"])
   call say_hash(model)
   call step_memory(context, model)
+  call step_log(context, model)
   call step_equilibrium(model)
   call step_fields(model)
   call step_dynamics(model)

@@ -267,6 +267,19 @@ def coupling(context, profile):
         checkpoint(context, profile, model)
 
 
+def log(context, model):
+    lines = []
+
+    def hear(line):
+        lines.append(line)
+        print(f"   heard level {line.level}: {line.text}")
+    data = model.checkpoint()
+    context.set_log(hear)
+    vbgpd.Model.from_checkpoint(context, data).close()
+    context.set_log(None)
+    print(f"   told 0 0 0, {len(lines)} lines")
+
+
 def memory(context, model):
     line = context.log()[0]
     print(f"   log 0 level {line.level} sequence {line.sequence}: {line.text} then {Status.END_OF_DATA:d}")
@@ -298,6 +311,7 @@ model = vbgpd.Model(context, profile)
 print("15 model 0", numbers(model, "particles", "bonds", "area", "height", "total_mass", "spacing_x", "spacing_y"),
       f"hash {model.state_hash:016X}")
 memory(context, model)
+log(context, model)
 equilibrium(model)
 read_fields(model)
 dynamics(model)

@@ -28,6 +28,7 @@ static vbgpd_memory memory;
   X(CONTEXT, vbgpd_context_error, (h, &info, text, 8, &n))                                       \
   X(CONTEXT, vbgpd_context_destroy, (h))                                                         \
   X(CONTEXT, vbgpd_context_log_next, (h, 0, &line, text, 8, &n))                                 \
+  X(CONTEXT, vbgpd_context_set_log, (h, NULL, NULL, VBGPD_LOG_INFO))                             \
   X(CONTEXT, vbgpd_profile_create, (h, (vbgpd_profile**)&out))                                   \
   X(CONTEXT, vbgpd_profile_create_from_flatbuffer, (h, "VBGP", 4, (vbgpd_profile**)&out))        \
   X(CONTEXT, vbgpd_model_create_from_checkpoint, (h, "VBGC", 4, (vbgpd_model**)&out))            \

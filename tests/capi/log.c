@@ -145,10 +145,82 @@ static void many_threads_speak_at_once(void) {
   CHECK_OK(vbgpd_context_destroy(context));
 }
 
+/* Lines told as they are said are those that can be polled, on the thread inside the call; who listens may read, not
+ * change. */
+typedef struct {
+  vbgpd_context* context;
+  vbgpd_job* job;
+  pthread_t thread;
+  int64_t last;
+  int lines, nested, busy;
+} ear;
+
+static void* change_from_elsewhere(void* context) {
+  CHECK_STATUS(VBGPD_E_BUSY, vbgpd_context_set_log((vbgpd_context*)context, NULL, NULL, VBGPD_LOG_INFO));
+  return NULL;
+}
+
+static void VBGPD_CALL hear(void* user, const vbgpd_log_line* told, const char* words) {
+  ear* e = (ear*)user;
+  ++e->lines;
+  CHECK(pthread_equal(e->thread, pthread_self()));
+  CHECK(told->struct_size == sizeof *told && told->sequence > e->last && told->level <= VBGPD_LOG_INFO);
+  e->last = told->sequence;
+  if (e->job == NULL) return; /* a model is being made: the context is inside a call */
+  CHECK_OK(next_line(e->context, told->sequence - 1));
+  CHECK(line.sequence == told->sequence && line.level == told->level && strcmp(text, words) == 0);
+  CHECK_STATUS(VBGPD_E_REENTRANT, vbgpd_context_set_log(e->context, NULL, NULL, VBGPD_LOG_INFO));
+  CHECK_STATUS(VBGPD_E_REENTRANT, vbgpd_job_run(e->job, 0, NULL, NULL, NULL));
+  if (e->busy++ == 0) {
+    vbgpd_model* nested = make_model(e->context, 5); /* says something of its own, which is kept only */
+    pthread_t other;
+    CHECK_OK(vbgpd_model_destroy(nested));
+    while (next_line(e->context, e->last) == VBGPD_OK) e->last = line.sequence, ++e->nested;
+    CHECK(e->nested > 0);
+    CHECK(pthread_create(&other, NULL, change_from_elsewhere, e->context) == 0);
+    CHECK(pthread_join(other, NULL) == 0);
+  }
+}
+
+static void told_as_they_are_said(void) {
+  vbgpd_context* context = make_context();
+  vbgpd_model* model;
+  vbgpd_job* job = NULL;
+  ear e;
+  int kept;
+  memset(&e, 0, sizeof e);
+  e.context = context, e.thread = pthread_self();
+  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_context_set_log(context, hear, &e, 0));
+  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_context_set_log(context, hear, &e, 4));
+  CHECK_OK(vbgpd_context_set_log(context, hear, &e, VBGPD_LOG_INFO));
+  model = make_model(context, 1);
+  CHECK(e.lines == 2); /* its size, and a warning that key lines lie off the cell edges */
+  CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
+  e.job = job;
+  CHECK(vbgpd_job_run(job, 0, NULL, NULL, NULL) >= 0);
+  kept = lines_with(context, VBGPD_LOG_INFO, "") + lines_with(context, VBGPD_LOG_WARNING, "");
+  CHECK(e.lines > 4 && e.lines == kept - e.nested);
+  kept = e.lines;
+  CHECK_OK(vbgpd_context_set_log(context, hear, &e, VBGPD_LOG_WARNING));
+  e.job = NULL;
+  CHECK_OK(vbgpd_model_destroy(make_model(context, 1)));
+  CHECK(e.lines == kept + 1);
+  kept = e.lines;
+  CHECK_OK(vbgpd_context_set_log(context, hear, &e, VBGPD_LOG_INFO));
+  CHECK_OK(vbgpd_job_destroy(job));
+  CHECK_OK(vbgpd_job_create_equilibrium(model, &job));
+  CHECK_OK(vbgpd_context_destroy(context)); /* nobody is told any more */
+  CHECK(vbgpd_job_run(job, 0, NULL, NULL, NULL) >= 0);
+  CHECK(e.lines == kept);
+  CHECK_OK(vbgpd_job_destroy(job));
+  CHECK_OK(vbgpd_model_destroy(model));
+}
+
 int main(void) {
   models_and_jobs_speak();
   warnings_are_heard();
   old_lines_give_way();
   many_threads_speak_at_once();
+  told_as_they_are_said();
   return 0;
 }

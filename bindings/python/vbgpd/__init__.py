@@ -119,6 +119,14 @@ class Context(_Object):
             lines.append(LogLine(LogLevel(record.level), after, record.seconds, text.value.decode()))
         return lines
 
+    def set_log(self, hear, level=LogLevel.INFO):
+        """Calls hear(LogLine) for every line of that level and below, within the call that says it; None ends it."""
+        def tell(_, line, text):
+            hear(LogLine(LogLevel(line[0].level), line[0].sequence, line[0].seconds, text.decode()))
+        function = _raw.vbgpd_log_fn(tell) if hear else _raw.vbgpd_log_fn()
+        self._call("set_log", function, None, level)
+        self._hears = function  # as long as the engine may call it
+
 
 class Profile(_Object):
     """A slope profile: polygons, materials, loads and supports. Points are rows of x and y: lists or numpy arrays."""

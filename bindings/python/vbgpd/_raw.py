@@ -111,6 +111,10 @@ class vbgpd_error_info(Record):
     ]
 
 
+vbgpd_alloc_fn = ctypes.CFUNCTYPE(c_void_p, c_void_p, c_int64, c_int64)
+vbgpd_free_fn = ctypes.CFUNCTYPE(None, c_void_p, c_void_p, c_int64, c_int64)
+
+
 class vbgpd_context_desc(Record):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -119,6 +123,9 @@ class vbgpd_context_desc(Record):
         ("reserved", c_int32),
         ("max_particles", c_int64),
         ("max_bytes", c_int64),
+        ("alloc", vbgpd_alloc_fn),
+        ("free", vbgpd_free_fn),
+        ("alloc_user", c_void_p),
     ]
 
 
@@ -302,6 +309,7 @@ class vbgpd_event(Record):
     ]
 
 # ---- callback
+vbgpd_log_fn = ctypes.CFUNCTYPE(None, c_void_p, POINTER(vbgpd_log_line), ctypes.c_char_p)
 vbgpd_progress_fn = ctypes.CFUNCTYPE(c_int32, c_void_p, POINTER(vbgpd_progress))
 
 # ---- functions: name -> (result, parameters)
@@ -328,6 +336,7 @@ FUNCTIONS = {
     "vbgpd_context_log_next": (
         c_int32, (vbgpd_context, c_int64, POINTER(vbgpd_log_line), POINTER(c_char), c_int64, POINTER(c_int64))),
     # the named numbers describe themselves
+    "vbgpd_context_set_log": (c_int32, (vbgpd_context, vbgpd_log_fn, c_void_p, c_int32)),
     "vbgpd_property_count": (c_int32, (c_int32, POINTER(c_int64))),
     "vbgpd_property_info_at": (c_int32, (c_int32, c_int64, POINTER(vbgpd_property_info))),
     # slope profile

@@ -116,6 +116,13 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_error(const vbgpd_model*, vbgpd_er
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_error(const vbgpd_job*, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
 
 /* ---- context ------------------------------------------------------------------------------------------- */
+/* Memory from the host: all arrays and lists over particles and bonds of the models of a context and of their states, 9 bytes in
+ * 10 of a model and more; lattice cells, names, jobs, texts and what lives inside one call only come from the C++ library.
+ * bytes > 0, alignment a power of 2 up to 64, to be honoured; free gets both again. alloc NULL: out of memory (VBGPD_E_MEMORY,
+ * nothing changed). R5 holds, _destroy calls included; they must not throw, and stay good until the last model and state of
+ * the context are destroyed. */
+typedef void*(VBGPD_CALL* vbgpd_alloc_fn)(void* user, int64_t bytes, int64_t alignment);
+typedef void(VBGPD_CALL* vbgpd_free_fn)(void* user, void* p, int64_t bytes, int64_t alignment);
 typedef struct vbgpd_context_desc {
   uint32_t struct_size;
   int32_t abi_version;   /* VBGPD_ABI_VERSION the caller was built with; another one gives VBGPD_E_VERSION */
@@ -124,6 +131,9 @@ typedef struct vbgpd_context_desc {
   int64_t max_particles; /* model creation beyond it gives VBGPD_E_LIMIT; 0 = no limit (default) */
   int64_t max_bytes;     /* a model predicted to have more once it was stepped, relaxed and read (saved states not counted), or a run-out
                           * that has more: VBGPD_E_LIMIT, a spacing that would fit in the text; 0 = no limit (default) */
+  vbgpd_alloc_fn alloc;  /* both or none; NULL (default): those of the C++ library */
+  vbgpd_free_fn free;
+  void* alloc_user;
 } vbgpd_context_desc;
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_desc_init(vbgpd_context_desc* d, uint32_t struct_size);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_create(const vbgpd_context_desc* d, vbgpd_context** out); /* d NULL = defaults */
@@ -143,6 +153,12 @@ typedef struct vbgpd_log_line {
 /* The oldest line kept with a sequence above after (0 = of all); VBGPD_END_OF_DATA when there is none. Reading takes nothing away.
  * line and text may be NULL. No text is longer than 247 bytes, so that 248 always hold one and its NUL. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_log_next(vbgpd_context*, int64_t after, vbgpd_log_line* line, char* text, int64_t cap, int64_t* needed);
+/* The same lines as they are said, of level and below (1 to VBGPD_LOG_DETAIL; another one gives VBGPD_E_RANGE): fn is called within
+ * the call that says them, on its thread, in the default floating-point environment, one line at a time; text ends with a NUL
+ * and, as line, lasts as long as fn. R5 holds; what fn throws is dropped. A line said by what fn itself calls is only kept.
+ * fn NULL, or destroying the context, ends it. VBGPD_E_BUSY: fn is running on another thread; VBGPD_E_REENTRANT: on this one. */
+typedef void(VBGPD_CALL* vbgpd_log_fn)(void* user, const vbgpd_log_line* line, const char* text);
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_set_log(vbgpd_context*, vbgpd_log_fn fn, void* user, int32_t level);
 
 /* ---- the named numbers describe themselves ---------------------------------------------------------------- */
 typedef struct vbgpd_property_info {
