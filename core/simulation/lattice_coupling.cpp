@@ -120,7 +120,15 @@ Vec2 LatticeSimulation::boundary_reaction(std::size_t boundary) const {
   const auto add = [&](std::size_t i, std::size_t j, const Vec2& force) {
     if (soil(i) && wall(j)) sum += force;
   };
-  for_each_flux_force(model_, {scratch_.flux_xx, scratch_.flux_xy, scratch_.flux_yx, scratch_.flux_yy}, add);
+  const auto nodal = [&](const Array& flux) {  // the step leaves V_i S_i M_i^-1
+    Array z = flux;
+    for (std::size_t i = 0; i < z.size(); ++i)
+      if (model_.seed_of[i] >= 0) z[i] /= model_.volume[i];
+    return z;
+  };
+  const Array xx = nodal(scratch_.flux_xx), xy = nodal(scratch_.flux_xy), yx = nodal(scratch_.flux_yx),
+              yy = nodal(scratch_.flux_yy);
+  for_each_flux_force(model_, {xx, xy, yx, yy}, add);
   if (outside_.pore_pressure.present())
     for_each_flux_force(model_, PoreFlux(model_, outside_.pore_pressure).nodal(), add);
   for_each_bond(model_, probe_, scratch_, constants_, 1 / factor_, [&](const ObservedBond& b) {

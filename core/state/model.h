@@ -97,7 +97,7 @@ struct Scratch {
   Array weighted_x, weighted_y;                              ///< V_i u_i, m3
   Array gradient_xx, gradient_xy, gradient_yx, gradient_yy;  ///< L_i (of the displacement, total form)
   Array dilation;                                            ///< elastic volumetric strain tr L_i - theta^p_i
-  Array flux_xx, flux_xy, flux_yx, flux_yy;                  ///< V_i S_i of VB5, then Z_i = V_i S_i M_i^-1 / V_i
+  Array flux_xx, flux_xy, flux_yx, flux_yy;                  ///< V_i S_i of VB5, then V_i S_i M_i^-1
   Array pair_force_x, pair_force_y;                          ///< sum of B_ij s_ij n_ij / r
   Array volume_source;       ///< volume that turned plastic in this step; absent like plastic_volume
   Array opening, mean_load;  ///< for its work: volumetric strain that opened, V_i times mean stress; absent likewise

@@ -64,6 +64,25 @@ static void reactions_bear_the_weight(const vbgpd_model* model) {
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_boundary_reaction(model, 3, &x, &y));
 }
 
+/* Cells of any size. */
+static void reactions_on_other_lattices(vbgpd_context* context) {
+  static const double spacings[] = {0.7, 1.3};
+  int i;
+  for (i = 0; i < 2; ++i) {
+    vbgpd_profile* profile = make_block(context);
+    vbgpd_model* model = NULL;
+    double fx = 0, fy = 0, borne = 0;
+    int64_t side;
+    set_number(profile, VBGPD_OBJECT_PROFILE, 0, "spacing", spacings[i]);
+    CHECK_OK(vbgpd_model_create(context, profile, &model));
+    settle(model);
+    for (side = 0; side < 3; ++side, borne += fy) CHECK_OK(vbgpd_model_boundary_reaction(model, side, &fx, &fy));
+    CHECK(fabs(borne - 20e3 * 100) < 1e-5 * borne);
+    CHECK_OK(vbgpd_profile_destroy(profile));
+    CHECK_OK(vbgpd_model_destroy(model));
+  }
+}
+
 /* Bonds carry effective stress: in the middle of a soaked column the buoyant weight above. */
 static void water_carries_its_share(vbgpd_context* context) {
   vbgpd_model *dry = block_model(context), *wet = block_model(context);
@@ -217,6 +236,7 @@ static void water_lowers_the_factor_of_safety(vbgpd_context* context) {
 
 int main(void) {
   vbgpd_context* context = make_context();
+  reactions_on_other_lattices(context);
   water_carries_its_share(context);
   pressure_taken_back(context);
   external_force_is_added(context);
