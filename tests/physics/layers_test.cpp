@@ -28,6 +28,18 @@ SceneDef without_berm(const MaterialDef& soil) {
   s.layers.resize(1);
   return s;
 }
+/// A vertical cut with a berm, layer 1, that holds its foot.
+SceneDef cut_with_berm(const MaterialDef& soil) {
+  SceneDef s = with_berm(soil);
+  s.exterior = {{0, 0}, {40, 0}, {40, 6}, {20, 6}, {20, 10}, {10, 10}, {10, 16}, {0, 16}};
+  s.layers[1].polygon = {{10, 6}, {20, 6}, {20, 10}, {10, 10}};
+  return s;
+}
+SceneDef cut_without_berm(const MaterialDef& soil) {
+  SceneDef s = without_berm(soil);
+  s.exterior = {{0, 0}, {40, 0}, {40, 6}, {10, 6}, {10, 16}, {0, 16}};
+  return s;
+}
 /// Two layers on a rigid floor between smooth walls, the upper one from y = 6 to 10.
 SceneDef two_layers(const MaterialDef& soil) {
   SceneDef s = test::block(soil, 10, 10, 1);
@@ -100,12 +112,15 @@ TEST_P(Bonds, DugSlopeMovesLikeTheOneDrawnWithout) {
   expect_same_motion(*dug, *drawn, 1e-9);
 }
 
-TEST(Layers, DugSlopeHasTheFactorOfSafetyOfTheOneDrawnWithout) {
-  const auto dug = compiled(with_berm(kSoil)), drawn = compiled(without_berm(kSoil));
+TEST(Layers, DugCutHasTheFactorOfSafetyOfTheOneDrawnWithout) {
+  const MaterialDef soil = test::soil("mohr_coulomb", 50e3, 20);
+  const auto dug = compiled(cut_with_berm(soil)), drawn = compiled(cut_without_berm(soil)),
+             whole = compiled(cut_with_berm(soil));
+  ASSERT_EQ(dug->section().lattice.spacing, drawn->section().lattice.spacing);
   dug->set_layers(kOff);
   std::vector<double> factor;
   std::vector<std::vector<Point>> line;
-  for (LatticeSimulation* s : {dug.get(), drawn.get()}) {
+  for (LatticeSimulation* s : {dug.get(), drawn.get(), whole.get()}) {
     const auto job = make_strength_reduction(*s);
     ASSERT_EQ(job->run(0, {}), Status::kOk) << job->result().reason;
     EXPECT_EQ(job->result().levels.size(), 2u);
@@ -113,6 +128,7 @@ TEST(Layers, DugSlopeHasTheFactorOfSafetyOfTheOneDrawnWithout) {
     line.push_back(job->result().slip_surface);
   }
   EXPECT_NEAR(factor[0], factor[1], 1e-12);
+  EXPECT_GT(factor[2], 1.1 * factor[1]);  // the berm had held it
   ASSERT_FALSE(line[1].empty());
   EXPECT_NEAR(line[0].front().x, line[1].front().x, 1e-3);
   EXPECT_NEAR(line[0].back().x, line[1].back().x, 1e-3);
