@@ -61,6 +61,7 @@ Workers::Workers(int threads) : pool_(std::make_unique<Pool>()) {
 }
 Workers::~Workers() = default;
 int Workers::threads() const { return pool_->threads; }
+int Workers::team() const { return static_cast<int>(pool_->helpers.size()) + 1; }
 
 Workers::Session::Session(Workers& workers) : workers_(workers) {
   Pool& p = *workers.pool_;

@@ -28,7 +28,7 @@ class Workers {
   };
 
   /// Calls f(k) for k = first, first + stride, ... < chunks; which thread does which chunk is not determined, what it
-  /// does is.
+  /// does is. No more calls than the team has members run at once, and as many do.
   template <class F>
   void run(int first, int stride, int chunks, F&& f) {
     using Function = std::remove_reference_t<F>;
@@ -37,6 +37,7 @@ class Workers {
         const_cast<void*>(static_cast<const void*>(&f)));
   }
   int threads() const;
+  int team() const;  ///< threads there are now: those of the session, else one
 
  private:
   void run_erased(int first, int stride, int chunks, void (*call)(void*, int), void* context);

@@ -51,9 +51,7 @@ void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial,
     partial[k].plastic_work = plastic_work;
   };
 
-  const Passes passes{weigh, gradient, bonds, flux, move};
-  if (workers.threads() > 1) in_sweeps(workers, chunks, passes);
-  else in_a_wave(chunks, passes);
+  in_order(workers, chunks, Passes{weigh, gradient, bonds, flux, move});
 
   // walls that slide or are moved
   guide_walls(d, c);
