@@ -75,19 +75,16 @@ vbgpd_status vbgpd_model_create_from_checkpoint(vbgpd_context* context, const vo
       throw ArgumentError(2, Status::kLimit,
                           "The checkpoint has " + std::to_string(checkpoint.state.particles) +
                               " particles; the context allows " + std::to_string(limits.max_particles) + ".");
-    CompileOptions options = options_of(limits, checkpoint);
-    // More particles than the checkpoint holds could only come from another scene.
-    options.max_particles = checkpoint.state.particles;
     auto model = std::make_unique<ModelObject>();
     try {
-      model->engine->simulation = Simulation::compile(checkpoint.scene, options);
+      model->engine->simulation =
+          Simulation::restored(checkpoint.scene, options_of(limits, checkpoint), checkpoint.state);
     } catch (const Error& error) {
       Issue issue = error.issue();
       const bool too_many_bytes = issue.object == ObjectKind::kContext;
       if (issue.status == Status::kLimit && !too_many_bytes) issue.status = Status::kFormat;
       throw ArgumentError(2, issue);
     }
-    model->engine->simulation->restore_image(checkpoint.state);
     model->engine->events.forget(*model->engine->simulation);
     hand_out(std::move(model), out);
     return Status::kOk;

@@ -100,8 +100,9 @@ class RunoutJob final : public SliceJob {
         result_.reason = "still moving after " + number_text(time, 4) + " s";
         break;
       }
-      const Real left = end > 0 ? std::ceil((end - time) / simulation_.get("time_step")) : kSlice;
-      const StepReport r = simulation_.step(std::min<std::int64_t>(kSlice, static_cast<std::int64_t>(left)), nullptr);
+      std::int64_t left = kSlice;
+      const auto slice = [&left] { return left-- > 0 ? Status::kOk : Status::kLimitReached; };
+      const StepReport r = end > 0 ? simulation_.advance_to(end, slice) : simulation_.step(kSlice, nullptr);
       progress_.steps += r.steps;
       if (r.status == Status::kDiverged) {
         diverge();

@@ -24,6 +24,7 @@ struct StateImage {
     double xx = 0, yy = 0, xy = 0;
   };
   std::int64_t particles = 0, bonds = 0;
+  bool runs_out = false;  ///< of a run-out: soil only, and the order of the particles is part of it
   std::vector<Number> numbers;
   std::vector<Rows> rows;
   std::vector<PlasticBond> plastic;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "checkpoint_generated.h"
 #include "exchange/limits.h"
@@ -78,10 +79,13 @@ StateImage state_from(const schema::Checkpoint& from) {
     state.rows.push_back(std::move(rows));
   }
   // what is claimed must be there: no more particles are ever built than the bytes hold
+  state.runs_out = from.runs_out();
+  if (state.runs_out && from.format() < 2) refuse("is of a run-out, which format 1 does not know");
+  const std::string_view where = state.runs_out ? "position" : "displacement";
   const bool whole = std::any_of(state.rows.begin(), state.rows.end(), [&](const StateImage::Rows& r) {
-    return r.name == "displacement" && static_cast<std::int64_t>(r.values.size()) == 2 * state.particles;
+    return r.name == where && static_cast<std::int64_t>(r.values.size()) == 2 * state.particles;
   });
-  if (!whole) refuse("lacks the displacements of its " + std::to_string(state.particles) + " particles");
+  if (!whole) refuse("lacks the " + std::string(where) + "s of its " + std::to_string(state.particles) + " particles");
   const auto take_bonds = [&](const fb::Vector<const schema::PlasticBond*>& list,
                               std::vector<StateImage::PlasticBond>& to) {
     if (static_cast<std::int64_t>(list.size()) > std::max(state.bonds, state.particles))
@@ -127,9 +131,9 @@ std::vector<std::uint8_t> checkpoint_to_bytes(const Checkpoint& c) {
   const auto row_list = out.CreateVector(rows);
   const auto plastic_list = out.CreateVectorOfStructs(bonds(c.state.plastic));
   const auto placed_list = c.state.placed_strain.empty() ? 0 : out.CreateVectorOfStructs(bonds(c.state.placed_strain));
-  const auto root = schema::CreateCheckpoint(out, kCheckpointFormat, scene_bytes, c.spacing_factor, c.lattice_multiple,
-                                             c.coarsening, c.state.particles, c.state.bonds, number_list, row_list,
-                                             plastic_list, c.state.hash, c.state.placed, placed_list);
+  const auto root = schema::CreateCheckpoint(
+      out, c.state.runs_out ? 2 : 1, scene_bytes, c.spacing_factor, c.lattice_multiple, c.coarsening, c.state.particles,
+      c.state.bonds, number_list, row_list, plastic_list, c.state.hash, c.state.placed, placed_list, c.state.runs_out);
   schema::FinishCheckpointBuffer(out, root);
   return {out.GetBufferPointer(), out.GetBufferPointer() + out.GetSize()};
 }

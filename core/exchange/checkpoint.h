@@ -11,7 +11,7 @@
 
 namespace vbgpd {
 
-inline constexpr std::uint32_t kCheckpointFormat = 1;
+inline constexpr std::uint32_t kCheckpointFormat = 2;  ///< the newest that is read; models at rest are written as 1
 
 struct Checkpoint {
   SceneDef scene;

@@ -96,6 +96,7 @@ class Reader {
     take(from.polyline(), where + ".polyline", b.polyline);
     take(from.vx(), b.vx);
     take(from.vy(), b.vy);
+    take(from.friction_angle(), b.friction_angle);
     std::string kind;
     take(from.kind(), where + ".kind", kind);
     for (std::size_t i = 0; i < kKinds.size(); ++i)
@@ -225,7 +226,7 @@ class Writer {
   fb::Offset<schema::Boundary> write_one(const BoundaryDef& b) {
     const auto name = text(b.name), side = text(b.side),
                kind = text(std::string(kKinds[static_cast<std::size_t>(b.kind)]));
-    return schema::CreateBoundary(out_, name, side, points(b.polyline), kind, b.vx, b.vy);
+    return schema::CreateBoundary(out_, name, side, points(b.polyline), kind, b.vx, b.vy, present(b.friction_angle));
   }
   fb::Offset<schema::Load> write_one(const LoadDef& load) {
     return schema::CreateLoad(out_, present(load.x0), present(load.x1), present(load.pressure), load.pressure_end);

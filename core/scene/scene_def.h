@@ -43,6 +43,8 @@ struct BoundaryDef {
   Polygon polyline;  ///< points along the exterior, >= 2
   BoundaryKind kind = BoundaryKind::kFixed;
   double vx = 0, vy = 0;  ///< m/s, kVelocity only
+  /// Degrees, kFixed only: in a run-out the soil slides on it by Coulomb friction; absent = rough, by its own strength.
+  double friction_angle = kNone;
 };
 
 /// Vertical pressure on the ground surface between x0 and x1, linear from pressure to pressure_end (Pa, down positive).

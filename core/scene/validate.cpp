@@ -141,6 +141,15 @@ void check_corners(const Polygon& polygon, const std::string& name, Report& repo
   check_points(polygon, name, report);
 }
 
+void check_friction_angle(double angle, const char* owner, Report& report) {
+  const std::string name = "friction_angle = " + number_text(angle) + " degrees ";
+  if (angle > 0 && angle <= 1.6)
+    report.warn(
+        name + "looks like radians: " + number_text(angle) + " rad is " + number_text(angle * 180 / kPi) + " degrees",
+        angle);
+  if (angle > 60 && angle < 90) report.warn(name + "is more than any " + owner + " has: 15 to 45 is usual", angle);
+}
+
 /// Values that are allowed but look like a slip of units.
 void check_plausible(const MaterialDef& m, Report& report) {
   const auto warn = [&](const char* name, double v, const char* unit, const std::string& text) {
@@ -155,12 +164,7 @@ void check_plausible(const MaterialDef& m, Report& report) {
          "looks like " + number_text(m.unit_weight / 1000) + " N/m3 written with units kPa: set units to SI");
   else if (m.unit_weight > 50000)
     warn("unit_weight", m.unit_weight, " N/m3", "is more than any soil weighs: 15000 to 25000 is usual");
-  if (m.friction_angle > 0 && m.friction_angle <= 1.6)
-    warn("friction_angle", m.friction_angle, " degrees",
-         "looks like radians: " + number_text(m.friction_angle) + " rad is " +
-             number_text(m.friction_angle * 180 / kPi) + " degrees");
-  if (m.friction_angle > 60 && m.friction_angle < 90)
-    warn("friction_angle", m.friction_angle, " degrees", "is more than any soil has: 15 to 45 is usual");
+  check_friction_angle(m.friction_angle, "soil", report);
   if (m.cohesion > 1e7)
     warn("cohesion", m.cohesion, " Pa",
          "is that of concrete; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI");
@@ -259,6 +263,15 @@ void check_boundaries(const SceneDef& scene, Report& report) {
     check_numbers(scene, ObjectKind::kBoundary, id, report);
     if (b.kind != BoundaryKind::kVelocity && (b.vx != 0 || b.vy != 0))
       report.warn("vx and vy have no effect: only a boundary of kind \"velocity\" moves");
+    if (std::isnan(b.friction_angle)) continue;
+    check_friction_angle(b.friction_angle, "base", report);
+    const std::string friction = "friction_angle = " + number_text(b.friction_angle) + " degrees ";
+    if (b.kind == BoundaryKind::kFixed)
+      report.warn(friction + "acts in a run-out only: until then, and in a strength reduction, the boundary is fixed",
+                  b.friction_angle);
+    else
+      report.warn(friction + "has no effect: only on a boundary of kind \"fixed\" soil can slide by friction",
+                  b.friction_angle);
   }
 }
 

@@ -5,6 +5,8 @@
 
 #include "geometry/outline.h"
 #include "scene/wording.h"
+#include "simulation/outside.h"
+#include "simulation/surface_load.h"
 
 namespace vbgpd {
 
@@ -43,7 +45,8 @@ std::vector<FlowWall> walls_of(const Section& section, const SceneDef& scene) {
   std::vector<HeldEdge> edges = held_edges(section.boundaries, exterior, section.lattice.origin);
   const Real same = 1e-9 * box_of(exterior).extent();
   const auto straight = [&](const HeldEdge& e, const HeldEdge& f) {
-    return e.hold == f.hold && (e.b - f.a).norm() <= same && e.normal.dot(f.normal) > 1 - 1e-12;
+    return e.hold == f.hold && e.boundary == f.boundary && (e.b - f.a).norm() <= same &&
+           e.normal.dot(f.normal) > 1 - 1e-12;
   };
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t j = 0; j < edges.size();) {
@@ -69,6 +72,11 @@ std::vector<FlowWall> walls_of(const Section& section, const SceneDef& scene) {
     w.low = std::any_of(edges.begin(), edges.end(), ends_here) ? 0 : -kInfinity;
     w.high = std::any_of(edges.begin(), edges.end(), starts_here) ? (e.b - e.a).norm() : kInfinity;
     w.rough = e.hold == Hold::kFixed ? 1 : 0;
+    w.boundary = e.boundary;
+    const double angle = section.boundaries[static_cast<std::size_t>(e.boundary)].friction_angle;
+    if (e.hold == Hold::kFixed && !std::isnan(angle)) w.rough = 0, w.friction = std::tan(radians(angle));
+    const auto next = std::find_if(edges.begin(), edges.end(), starts_here);
+    if (next != edges.end()) w.next = static_cast<std::int32_t>(next - edges.begin());
     walls.push_back(w);
   }
   return walls;
@@ -80,8 +88,11 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
   m.particles =
       std::count_if(section.seeds.begin(), section.seeds.end(), [](const Seed& s) { return s.hold == Hold::kFree; });
   const auto n = static_cast<std::size_t>(m.particles);
-  for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.reference_x, &m.reference_y, &m.size})
+  for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.weight, &m.reference_x, &m.reference_y, &m.size})
     a->allocate(n, 0, m.heap);
+  const bool loaded = !from.drive().loads.empty();
+  const std::vector<Real> area = loaded ? normal_areas(lattice) : std::vector<Real>();
+  m.surface_area.allocate(loaded ? n : 0, 0, m.heap);
   m.extra_cohesion.allocate(lattice.extra_cohesion.present() ? n : 0, 0, m.heap);
   m.material.resize(n);
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
@@ -89,11 +100,48 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
     if (seed.hold != Hold::kFree) continue;
     const auto id = static_cast<std::size_t>(lattice.id_of[k]), i = static_cast<std::size_t>(lattice.storage_of[k]);
     m.volume[id] = seed.volume, m.mass[id] = lattice.mass[i], m.size[id] = std::sqrt(seed.volume);
-    m.force_x[id] = lattice.force_x[i], m.force_y[id] = lattice.force_y[i];
+    m.weight[id] = from.scene().materials[static_cast<std::size_t>(seed.material)].unit_weight * seed.volume;
+    if (loaded) m.surface_area[id] = area[i];
     m.reference_x[id] = seed.centroid.x() - m.origin.x(), m.reference_y[id] = seed.centroid.y() - m.origin.y();
     m.material[id] = seed.material;
     if (m.extra_cohesion.present()) m.extra_cohesion[id] = lattice.extra_cohesion[i];
-    m.force_scale += std::fabs(lattice.force_x[i]) + std::fabs(lattice.force_y[i]);
+  }
+}
+
+/// What the pore water does at the hand-over: it stays with the particles from then on.
+void add_pore_water(const LatticeSimulation& from, FlowModel& m) {
+  std::vector<double> pressure;
+  from.read(find_field("pore_pressure"), pressure);
+  if (std::all_of(pressure.begin(), pressure.end(), [](double p) { return p == 0; })) return;
+  const Model& lattice = from.model();
+  Array by_storage;
+  by_storage.allocate(static_cast<std::size_t>(lattice.storage), 2, m.heap);
+  for (std::size_t k = 0; k < lattice.id_of.size(); ++k)
+    by_storage[static_cast<std::size_t>(lattice.storage_of[k])] = pressure[static_cast<std::size_t>(lattice.id_of[k])];
+  const auto n = static_cast<std::size_t>(m.particles);
+  m.pore_force_x.allocate(n, 0, m.heap), m.pore_force_y.allocate(n, 0, m.heap);
+  const PoreFlux flux(lattice, by_storage);
+  for_each_flux_force(lattice, flux.nodal(), [&](std::size_t i, std::size_t, const Vec2& force) {
+    const auto id = static_cast<std::size_t>(lattice.id_of[static_cast<std::size_t>(lattice.seed_of[i])]);
+    if (id < n) m.pore_force_x[id] += force.x(), m.pore_force_y[id] += force.y();  // soil comes first
+  });
+}
+
+/// The springs of Coulomb walls carry from the start what the shear stress of the row next to them carried there.
+void load_contacts(const FlowModel& m, FlowState& s) {
+  for (const FlowWall& w : m.walls) {
+    if (w.friction < 0) continue;
+    for (std::size_t id = 0; id < static_cast<std::size_t>(m.particles); ++id) {
+      const double x = s.motion[4 * id] - w.x, y = s.motion[4 * id + 1] - w.y;
+      const double along = x * w.ny - y * w.nx, distance = x * w.nx + y * w.ny;
+      if (along < w.low || along > w.high || !(distance < m.size[id])) continue;
+      const double xx = s.stress[4 * id], yy = s.stress[4 * id + 1], xy = s.stress[4 * id + 2];
+      const double shear = (xx - yy) * w.nx * w.ny + xy * (w.ny * w.ny - w.nx * w.nx);  // along (ny, -nx) on face n
+      const LawConstants& moduli = m.moduli[static_cast<std::size_t>(m.material[id])];
+      s.wall_shear[id] = shear * m.size[id] / moduli.shear_modulus;
+      const double pressure = -(s.stress[4 * id + 3] + xx * w.nx * w.nx + yy * w.ny * w.ny + 2 * xy * w.nx * w.ny);
+      s.wall_limit[id] = w.friction * std::max(pressure, 0.0) * m.size[id];
+    }
   }
 }
 
@@ -117,6 +165,7 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
   add_materials(scene, m);
   m.walls = walls_of(from.section(), scene);
   add_particles(from, m);
+  add_pore_water(from, m);
   Real fastest = 0;
   for (std::size_t id = 0; id < m.material.size(); ++id) {
     const LawConstants& c = m.moduli[static_cast<std::size_t>(m.material[id])];
@@ -153,7 +202,24 @@ FlowState handed_over(const LatticeSimulation& from, const FlowModel& m) {
     s.stress[4 * id + 2] = stress[4 * id + 3], s.stress[4 * id + 3] = mean;
     s.plastic_strain[id] = plastic[id];
   }
+  load_contacts(m, s);
   return s;
+}
+
+Outside handed_over_forces(const LatticeSimulation& from, const FlowModel& m) {
+  std::vector<double> rows;
+  from.read(find_field("external_force"), rows);
+  rows.resize(2 * static_cast<std::size_t>(m.particles));  // soil comes first
+  return outside_of(rows, m.heap);
+}
+
+Outside outside_of(const std::vector<double>& forces, const Heap& heap) {
+  Outside outside;
+  if (std::all_of(forces.begin(), forces.end(), [](double f) { return f == 0; })) return outside;
+  outside.external_x.allocate(forces.size() / 2, 3, heap), outside.external_y.allocate(forces.size() / 2, 4, heap);
+  for (std::size_t id = 0; id < forces.size() / 2; ++id)
+    outside.external_x[id] = forces[2 * id], outside.external_y[id] = forces[2 * id + 1];
+  return outside;
 }
 
 }  // namespace vbgpd

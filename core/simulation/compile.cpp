@@ -1,6 +1,6 @@
 // compile: the one place that sees all choices.
 #include "geometry/check.h"
-#include "simulation/lattice_simulation.h"
+#include "simulation/flow_simulation.h"
 
 namespace vbgpd {
 
@@ -41,6 +41,18 @@ std::unique_ptr<Simulation> Simulation::compile(const SceneDef& scene, const Com
   if (!first) throw Error(all);
   auto made = std::make_unique<LatticeSimulation>(scene, options, best_kernels());
   if (options.log) tell(*options.log, *made, best_kernels().isa);
+  return made;
+}
+
+std::unique_ptr<Simulation> Simulation::restored(const SceneDef& scene, const CompileOptions& options,
+                                                 const StateImage& image) {
+  CompileOptions limited = options;
+  // More particles than the image holds could only come from another scene. That of a run-out holds the soil; walls
+  // come on top while the model it is made from lives.
+  limited.max_particles = image.runs_out ? 16 * image.particles + 4096 : image.particles;
+  std::unique_ptr<Simulation> made = compile(scene, limited);
+  if (image.runs_out) made = make_runout(*made);
+  made->restore_image(image);
   return made;
 }
 

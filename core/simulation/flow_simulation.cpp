@@ -16,6 +16,8 @@ struct FlowSimulation::Saved final : SavedState {
   Ledger ledger;
   Real factor = 1, time = 0, peak_kinetic = 0;
   std::int64_t steps = 0;
+  Drive drive;
+  Outside outside;
   std::optional<SavedBytes> counted;
 };
 
@@ -23,6 +25,8 @@ namespace {
 
 constexpr Real kBlank = 1e100;  // where the particle is that fills up packs: out of everyone's reach
 constexpr int kChunk = 128;     // particles a thread takes at a time
+
+std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.external_y.bytes(); }
 
 }  // namespace
 
@@ -45,6 +49,7 @@ FlowSimulation::FlowSimulation(const LatticeSimulation& from, const FlowOptions&
     elastic_laws_.push_back(elastic);
   }
   set_factor(from.get("strength_reduction_factor"));
+  take_forces(from.drive(), handed_over_forces(from, model_));
   state_was_changed();
   fit_guard();
   join();
@@ -75,9 +80,9 @@ void FlowSimulation::join() {
 }
 
 void FlowSimulation::state_was_changed() {
-  search_neighbours(model_, state_, lists_);
+  if (search_neighbours(model_, state_, lists_)) ++epoch_, storage_ids_.clear();
   ++searches_;
-  arrange_scratch();
+  arrange(lists_, scratch_);
   last_.displacement2 = 0;
 }
 
@@ -103,43 +108,42 @@ void FlowSimulation::set_factor(Real factor) {
   }
 }
 
-/// Sizes the scratch for the present number of mirror images and writes what stays the same until the next search.
-void FlowSimulation::arrange_scratch() {
-  const auto n = static_cast<std::size_t>(model_.particles), all = n + lists_.ghosts.size() + 1;
+void FlowSimulation::arrange(const FlowLists& lists, FlowScratch& scratch) const {
+  const auto n = static_cast<std::size_t>(model_.particles), all = n + lists.ghosts.size() + 1;
   const bool diffuses = kernels_.step[static_cast<int>(model_.bond)][1] != nullptr;
   int stagger = 3;
-  for (Array* a : {&scratch_.motion, &scratch_.next_motion, &scratch_.gradient, &scratch_.bond, &scratch_.inverse,
-                   &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y}) {
-    const bool slope = a == &scratch_.slope_x || a == &scratch_.slope_y;
+  for (Array* a : {&scratch.motion, &scratch.next_motion, &scratch.gradient, &scratch.bond, &scratch.inverse,
+                   &scratch.flux, &scratch.slope_x, &scratch.slope_y}) {
+    const bool slope = a == &scratch.slope_x || a == &scratch.slope_y;
     if (slope && !diffuses) continue;
     if (a->size() != 4 * all) a->allocate(4 * all, stagger++, model_.heap);
   }
-  if (model_.bond == FlowBondLaw::kArtificialStress && scratch_.artificial.size() != 4 * (n + 1))
-    scratch_.artificial.allocate(4 * (n + 1), stagger++, model_.heap);
-  if (scratch_.next_stress.size() != 4 * (n + 1)) scratch_.next_stress.allocate(4 * (n + 1), stagger++, model_.heap);
-  if (model_.bond == FlowBondLaw::kVirtual && scratch_.pair_force.size() != 2 * n)
-    scratch_.pair_force.allocate(2 * n, stagger++, model_.heap);
-  scratch_.weight.allocate(4 * (lists_.ghosts.size() + 1), stagger++, model_.heap);
-  for (Array* a : {&scratch_.gradient, &scratch_.bond, &scratch_.flux, &scratch_.slope_x, &scratch_.slope_y})
+  if (model_.bond == FlowBondLaw::kArtificialStress && scratch.artificial.size() != 4 * (n + 1))
+    scratch.artificial.allocate(4 * (n + 1), stagger++, model_.heap);
+  if (scratch.next_stress.size() != 4 * (n + 1)) scratch.next_stress.allocate(4 * (n + 1), stagger++, model_.heap);
+  if (model_.bond == FlowBondLaw::kVirtual && scratch.pair_force.size() != 2 * n)
+    scratch.pair_force.allocate(2 * n, stagger++, model_.heap);
+  scratch.weight.allocate(4 * (lists.ghosts.size() + 1), stagger++, model_.heap);
+  for (Array* a : {&scratch.gradient, &scratch.bond, &scratch.flux, &scratch.slope_x, &scratch.slope_y})
     for (std::size_t k = 0; a->present() && k < 4; ++k) (*a)[4 * n + k] = 0;
-  for (std::size_t k = 0; k < 4; ++k) scratch_.motion[4 * n + k] = k < 2 ? kBlank : 0;
+  for (std::size_t k = 0; k < 4; ++k) scratch.motion[4 * n + k] = k < 2 ? kBlank : 0;
   for (std::size_t i = 0; i < n; ++i) {
-    scratch_.bond[4 * i + 2] = bond_modulus_[static_cast<std::size_t>(lists_.soil[i])];
-    scratch_.bond[4 * i + 3] = lists_.volume[i];
+    scratch.bond[4 * i + 2] = bond_modulus_[static_cast<std::size_t>(lists.soil[i])];
+    scratch.bond[4 * i + 3] = lists.volume[i];
   }
 }
 
-FlowData FlowSimulation::data() const {
+FlowData FlowSimulation::data(FlowState& s) const {
   FlowData d{};
-  auto& s = const_cast<FlowState&>(state_);
   d.particles = static_cast<int>(model_.particles), d.ghost_count = static_cast<int>(lists_.ghosts.size());
   d.wall_count = static_cast<int>(model_.walls.size()), d.chunk = kChunk;
   d.rows = lists_.rows.data(), d.neighbours = lists_.neighbours.data(), d.ghosts = lists_.ghosts.data();
   d.walls = model_.walls.data(), d.soil = lists_.soil.data();
   d.constants = lists_.constants.data(), d.volume = lists_.volume.data(), d.force = lists_.force.data();
-  d.extra_cohesion = lists_.extra_cohesion.data(), d.listed = state_.listed.data();
+  d.extra_cohesion = lists_.extra_cohesion.data(), d.listed = s.listed.data();
   d.stress = s.stress.data(), d.gap = s.gap.data(), d.plastic_strain = s.plastic_strain.data();
-  d.wall_shear = s.wall_shear.data(), d.traction = s.traction.data(), d.dead = s.dead.data();
+  d.wall_shear = s.wall_shear.data(), d.wall_limit = s.wall_limit.data(), d.traction = s.traction.data(),
+  d.dead = s.dead.data();
   d.motion = scratch_.motion.data(), d.next_motion = scratch_.next_motion.data();
   d.next_stress = scratch_.next_stress.data(), d.gradient = scratch_.gradient.data();
   d.bond = scratch_.bond.data(), d.inverse = scratch_.inverse.data(), d.flux = scratch_.flux.data();
@@ -167,6 +171,8 @@ FlowControls FlowSimulation::controls() const {
   if (model_.bond == FlowBondLaw::kPseudoSpring) c.smallest_eigenvalue /= 4;  // a corner has three springs, not eight
   c.dashpot = 0.2 * model_.spacing;
   c.spring_reach = o.spring_reach * model_.spacing;
+  c.friction_rate = o.time_step * model_.spacing / (o.friction_lag * model_.height);
+  c.image_reach = model_.bond == FlowBondLaw::kPseudoSpring ? c.spring_reach : model_.support;
   c.artificial_stress = o.artificial_stress;
   const Real s = 1 - model_.spacing / model_.support;
   c.inverse_kernel_at_spacing = 1 / (s * s * s * s * (5 - 4 * s));
@@ -180,14 +186,17 @@ void FlowSimulation::refresh_neighbours() {
   if (last_.displacement2 > room * room) state_was_changed();
 }
 
-void FlowSimulation::run_step(const FlowControls& c, FlowSums& sums) {
-  refresh_neighbours();
-  const auto bytes = 4 * static_cast<std::size_t>(model_.particles);
-  std::copy_n(state_.motion.data(), bytes, scratch_.motion.data());
+bool FlowSimulation::evaluate(FlowState& state, const FlowControls& c, FlowSums& sums) const {
+  std::copy_n(state.motion.data(), 4 * static_cast<std::size_t>(model_.particles), scratch_.motion.data());
   const auto& functions = kernels_.step[static_cast<int>(model_.bond)];
   const bool diffuse = yields_ && c.diffusion > 0 && c.laws == laws_.data() && functions[1] != nullptr;
-  functions[diffuse ? 1 : 0](data(), c, workers_, partial_.data(), sums);
-  std::copy_n(scratch_.next_motion.data(), bytes, state_.motion.data());
+  functions[diffuse ? 1 : 0](data(state), c, workers_, partial_.data(), sums);
+  return diffuse;
+}
+
+void FlowSimulation::run_step(const FlowControls& c, FlowSums& sums) {
+  const bool diffuse = evaluate(state_, c, sums);
+  std::copy_n(scratch_.next_motion.data(), 4 * static_cast<std::size_t>(model_.particles), state_.motion.data());
   if (diffuse) std::swap(state_.stress, scratch_.next_stress);
   last_ = sums;
 }
@@ -200,79 +209,6 @@ void FlowSimulation::open_ledger() {
   ledger_.stored_before = stored_energy();
 }
 
-StepReport FlowSimulation::step(std::int64_t steps, const std::atomic<bool>* cancel) {
-  StepReport report;
-  const Workers::Session session(workers_);
-  const FlowControls c = controls();
-  open_ledger();
-  // A particle that crosses a spacing in a step has left the method; the state of at most kKeep steps before is good.
-  constexpr std::int64_t kKeep = 256;
-  const Real runaway = model_.spacing / c.time_step;
-  std::shared_ptr<SavedState> kept = save();
-  std::int64_t kept_at = 0;
-  for (std::int64_t n = 0; n < steps; ++n) {
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) {
-      report.status = Status::kCancelled;
-      return report;
-    }
-    if (n - kept_at >= kKeep) kept = save(), kept_at = n;
-    FlowSums sums;
-    run_step(c, sums);
-    if (!(sums.velocity2 < runaway * runaway)) {
-      restore(*kept);
-      report.steps = kept_at;
-      report.status = Status::kDiverged;
-      return report;
-    }
-    ledger_.external += sums.external, ledger_.internal += sums.internal, ledger_.bond += sums.bond;
-    ledger_.viscous += sums.viscous, ledger_.damping += sums.damping, ledger_.contact += sums.contact - sums.wall;
-    peak_kinetic_ = std::max(peak_kinetic_, sums.kinetic);
-    ++steps_, ++report.steps;
-    time_ += c.time_step;
-  }
-  return report;
-}
-
-RelaxReport FlowSimulation::relax(std::int64_t steps, const RelaxOptions& options) {
-  const Workers::Session session(workers_);
-  FlowControls c = controls();
-  c.local_damping = options.local_damping > 0 ? options.local_damping : 0.7;
-  c.time_step *= options.time_step_factor;
-  if (options.elastic) c.laws = elastic_laws_.data();
-  RelaxReport r;
-  FlowSums sums;
-  const Real runaway = model_.spacing / c.time_step;
-  for (std::int64_t n = 0; n < steps && !r.diverged; ++n) {
-    run_step(c, sums);
-    ++r.steps;
-    r.external_work += sums.external, r.internal_work -= sums.internal + sums.bond;
-    r.diverged = !(sums.velocity2 < runaway * runaway);
-  }
-  r.since_restart = r.steps;
-  r.unbalanced_force_ratio = model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;
-  r.velocity = std::sqrt(sums.velocity2);
-  r.max_displacement = monitors().max_displacement;
-  return r;
-}
-
-/// Velocities of all particles. Whoever pushes does the work.
-void FlowSimulation::write(int field, const std::vector<double>& rows) {
-  const FieldInfo& info = fields()[static_cast<std::size_t>(field)];
-  if (std::string_view(info.name) != "velocity")
-    throw Error(Status::kUnsupported, std::string("field '") + info.name +
-                                          "' cannot be written on a run-out model: write it on the model it is made "
-                                          "from, or write velocity");
-  if (rows.size() != 2 * static_cast<std::size_t>(model_.particles))
-    throw Error(Status::kArgument, "field 'velocity' needs a row for every particle");
-  require_finite(info, rows);
-  const Real before = kinetic_energy();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.particles); ++i) {
-    const auto id = static_cast<std::size_t>(state_.particle[i]);
-    state_.motion[4 * i + 2] = rows[2 * id], state_.motion[4 * i + 3] = rows[2 * id + 1];
-  }
-  if (ledger_.open) ledger_.external += kinetic_energy() - before;
-}
-
 void FlowSimulation::halt() {
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_.particles); ++i)
     state_.motion[4 * i + 2] = state_.motion[4 * i + 3] = 0;
@@ -282,7 +218,8 @@ std::shared_ptr<SavedState> FlowSimulation::save() const {
   auto saved = std::make_shared<Saved>();
   saved->state = state_, saved->last = last_, saved->ledger = ledger_;
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->peak_kinetic = peak_kinetic_;
-  saved->counted.emplace(saved_, saved->state.bytes());
+  saved->drive = drive_, saved->outside = outside_;
+  saved->counted.emplace(saved_, saved->state.bytes() + bytes_of(saved->outside));
   return saved;
 }
 
@@ -291,17 +228,31 @@ Memory FlowSimulation::memory() const {
   m.model = model_.bytes() + lists_.bytes();
   m.state = state_.bytes();
   m.scratch = scratch_.bytes();
+  m.copies = storage_ids_.capacity() * sizeof(std::int64_t);
+  m.outside = bytes_of(outside_);
   m.saved = *saved_;
   return m;
 }
 
 void FlowSimulation::restore(const SavedState& other) {
   const auto& saved = dynamic_cast<const Saved&>(other);
-  state_ = saved.state, last_ = saved.last, ledger_ = saved.ledger;
+  FlowState state = saved.state;
+  FlowLists lists;
+  FlowScratch scratch;
+  list_neighbours(model_, state, lists);
+  arrange(lists, scratch);
+  take_forces(saved.drive, saved.outside);
+  settle(std::move(state), std::move(lists), std::move(scratch));
+  last_ = saved.last, ledger_ = saved.ledger;
   set_factor(saved.factor);
   time_ = saved.time, steps_ = saved.steps, peak_kinetic_ = saved.peak_kinetic;
-  list_neighbours(model_, state_, lists_);
-  arrange_scratch();
+}
+
+void FlowSimulation::settle(FlowState&& state, FlowLists&& lists, FlowScratch&& scratch) {
+  const double* const order = state_.particle.data();
+  if (!std::equal(order, order + state_.particle.size(), state.particle.data())) ++epoch_, storage_ids_.clear();
+  state_ = std::move(state), lists_ = std::move(lists), scratch_ = std::move(scratch);
+  place_forces(model_, state_, lists_);
 }
 
 std::unique_ptr<Simulation> make_runout(const Simulation& from, const FlowOptions& options) {

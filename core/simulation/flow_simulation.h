@@ -34,8 +34,17 @@ class FlowSimulation final : public Simulation {
   void read(int field, std::vector<std::int64_t>& out) const override;
   std::uint64_t state_hash() const override { return state_.hash(); }
   Memory memory() const override;
-  /// velocity only; whoever pushes does the work.
+  StepReport advance_to(double time, const StepWatch& watch) override;
+  /// velocity (whoever pushes does the work) and external_force.
   void write(int field, const std::vector<double>& rows) override;
+  const Drive& drive() const override { return drive_; }
+  void set_drive(const Drive& drive) override;
+  /// Of the step to come, found by taking it with a copy.
+  Vec2 boundary_reaction(std::size_t boundary) const override;
+  FieldView view(int field) const override;
+  std::int64_t epoch() const override { return epoch_; }
+  StateImage image() const override;
+  void restore_image(const StateImage& image) override;
 
   const FlowModel& model() const { return model_; }
   FlowState& state() { return state_; }
@@ -53,13 +62,28 @@ class FlowSimulation final : public Simulation {
     bool open = false;
   };
   struct Saved;
-  FlowData data() const;
+  /// Where a run of steps ends: after so many, or exactly at a time.
+  struct Goal {
+    std::int64_t steps;
+    Real time;
+  };
+  StepReport march(const Goal& goal, const StepWatch& watch);
+  FlowData data(FlowState& state) const;
   FlowControls controls() const;
   void set_factor(Real factor);
   void fit_guard();
-  void arrange_scratch();
+  /// Sizes a scratch for the present number of mirror images and writes what stays the same until the next search.
+  void arrange(const FlowLists& lists, FlowScratch& scratch) const;
+  /// Takes over a state with what follows from it.
+  void settle(FlowState&& state, FlowLists&& lists, FlowScratch&& scratch);
   void refresh_neighbours();
+  /// One step of `state`, which lies as the lists say; its new motion is left in the scratch, its new stress too where
+  /// this answers true.
+  bool evaluate(FlowState& state, const FlowControls& controls, FlowSums& sums) const;
   void run_step(const FlowControls& controls, FlowSums& sums);
+  /// Forces of a drive and from outside, anew; when memory runs out, as before.
+  void take_forces(Drive drive, Outside outside);
+  void write_velocity(const std::vector<double>& rows);
   void open_ledger();
   Real stored_energy() const;
   Real kinetic_energy() const;
@@ -81,14 +105,17 @@ class FlowSimulation final : public Simulation {
   FlowLists lists_;
   mutable FlowScratch scratch_;
   mutable Workers workers_;
-  std::vector<FlowSums> partial_;
+  mutable std::vector<FlowSums> partial_;
   std::vector<FlowLaw> laws_, elastic_laws_;
   std::vector<Real> bond_modulus_;  // chi G by material
   FlowSums last_;
   Ledger ledger_;
   Real factor_ = 1, damping_ = 0, time_ = 0, peak_kinetic_ = 0;
-  std::int64_t steps_ = 0, searches_ = 0;
+  std::int64_t steps_ = 0, searches_ = 0, epoch_ = 0;
   bool yields_ = false;
+  Drive drive_;
+  Outside outside_;                                ///< by particle id; its water is in the model
+  mutable std::vector<std::int64_t> storage_ids_;  ///< particle ids in the present order, for views
 };
 
 /// A run-out made from `from` in its present state. Throws Error(kState) when that is a run-out already.

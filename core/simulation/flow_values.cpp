@@ -60,14 +60,22 @@ void FlowSimulation::set(std::string_view name, double value) {
   require_settable(name, value);
   if (name == "damping") damping_ = value;
   else if (name == "strength_reduction_factor") set_factor(value);
-  else
+  else if (name == "kh" || name == "kv") {
+    Drive changed = drive_;
+    (name == "kh" ? changed.kh : changed.kv) = value;
+    set_drive(changed);
+  } else
     throw Error(Status::kUnsupported,
-                std::string(name) + " cannot be set on a run-out model: set it on the model it is made from");
+                std::string(name) +
+                    " cannot be set on a run-out model, whose time step is spacing / wave speed times " +
+                    number_text(model_.options.time_step));
 }
 
 double FlowSimulation::get(std::string_view name) const {
   if (name == "damping") return damping_;
   if (name == "strength_reduction_factor") return factor_;
+  if (name == "kh") return drive_.kh;
+  if (name == "kv") return drive_.kv;
   if (name == "time") return time_;
   if (name == "steps") return static_cast<double>(steps_);
   if (name == "time_step") return model_.time_step;

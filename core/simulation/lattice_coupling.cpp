@@ -1,20 +1,12 @@
 // Setting a lattice simulation from outside while it runs, and lending its arrays.
 #include <cmath>
 
-#include "scene/wording.h"
 #include "simulation/build_model.h"
 #include "simulation/lattice_simulation.h"
 
 namespace vbgpd {
 
 namespace {
-
-[[noreturn]] void refuse(ObjectKind object, std::size_t id, double value, const std::string& text) {
-  Issue issue;
-  issue.status = Status::kRange, issue.object = object, issue.object_id = static_cast<std::int64_t>(id);
-  issue.value = value, issue.text = text;
-  throw Error(issue);
-}
 
 /// Item i of component c, by particle id, into storage order; absent when all are zero.
 Array by_storage(const Model& m, const std::vector<double>& rows, std::size_t components, std::size_t c, int stagger) {
@@ -69,17 +61,7 @@ void LatticeSimulation::write_velocity(const std::vector<double>& rows) {
 }
 
 void LatticeSimulation::set_drive(const Drive& drive) {
-  for (std::size_t n = 0; n < drive.loads.size(); ++n)
-    for (const double p : {drive.loads[n].pressure, drive.loads[n].pressure_end})
-      if (!std::isfinite(p)) refuse(ObjectKind::kLoad, n, p, "the pressure of a load must be a finite number of Pa");
-  for (std::size_t n = 0; n < drive.velocities.size(); ++n) {
-    const Vec2& v = drive.velocities[n];
-    if (!v.allFinite())
-      refuse(ObjectKind::kBoundary, n, v.x(), "the velocity of a boundary must be finite numbers of m/s");
-    if (v != drive_.velocities[n] && section_.boundaries[n].kind != BoundaryKind::kVelocity)
-      throw Error(Status::kState, "boundary " + std::to_string(n) +
-                                      " does not move: only boundaries of kind velocity can be given one");
-  }
+  require_drive(drive, drive_, section_);
   take_forces(drive, outside_);
 }
 

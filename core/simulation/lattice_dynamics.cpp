@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/wording.h"
 #include "simulation/lattice_simulation.h"
+#include "simulation/march.h"
 
 namespace vbgpd {
 
@@ -15,12 +15,7 @@ StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* 
 }
 
 StepReport LatticeSimulation::advance_to(double time, const StepWatch& watch) {
-  if (!(time >= time_ && std::isfinite(time))) {
-    Issue issue;
-    issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = time;
-    issue.text = "cannot advance to " + number_text(time) + " s: the model is at " + number_text(time_) + " s";
-    throw Error(issue);
-  }
+  require_ahead(time, time_);
   return march({std::numeric_limits<std::int64_t>::max(), time}, watch);
 }
 
@@ -49,10 +44,8 @@ StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
   while (report.steps < goal.steps && time_ < goal.time) {
     report.status = watch();
     if (report.status != Status::kOk) return report;
-    // towards a time in steps of equal length, a function of the present time alone: interruptions change no bit
-    const Real left = goal.time - time_;
-    const Real parts = std::isfinite(left) ? std::max<Real>(1, std::ceil(left / longest * (1 - 1e-12))) : 0;
-    c.time_step = parts > 0 ? left / parts : longest;
+    const StepLength length = step_towards(goal.time, time_, longest);
+    c.time_step = length.time_step;
     if (report.steps - kept_at >= kKeep)
       kept = state_, kept_ledger = ledger_, kept_at = report.steps, kept_time = time_;
     Sums sums;
@@ -66,7 +59,7 @@ StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
     }
     ledger_.external += sums.external_work, ledger_.damping -= sums.damping_work, ledger_.plastic += sums.plastic_work;
     ++steps_, ++report.steps;
-    time_ = parts == 1 ? goal.time : time_ + c.time_step;
+    time_ = length.last ? goal.time : time_ + c.time_step;
     last_time_step_ = c.time_step;
     if (!passes_audit()) {
       report.steps = std::max<std::int64_t>(0, steps_ - steps_before);

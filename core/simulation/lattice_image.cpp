@@ -5,35 +5,12 @@
 
 #include "simulation/bond_records.h"
 #include "simulation/build_model.h"
+#include "simulation/image_reader.h"
 #include "simulation/lattice_simulation.h"
 
 namespace vbgpd {
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& text) { throw Error(Status::kFormat, "the checkpoint " + text); }
-
-double number(const StateImage& image, std::string_view name, double low, double high) {
-  for (const StateImage::Number& n : image.numbers) {
-    if (n.name != name) continue;
-    if (n.value >= low && n.value <= high) return n.value;
-    refuse("has an impossible " + n.name);
-  }
-  refuse("lacks the number " + std::string(name));
-}
-
-/// Values of an array of that many rows, or nullptr when the checkpoint has none of that name.
-const std::vector<double>* rows(const StateImage& image, std::string_view name, int components, std::size_t count) {
-  for (const StateImage::Rows& r : image.rows) {
-    if (r.name != name) continue;
-    if (r.components != components || r.values.size() != count * static_cast<std::size_t>(components))
-      refuse("has the wrong number of values of " + r.name);
-    for (const double v : r.values)
-      if (!std::isfinite(v)) refuse("has a value of " + r.name + " that is not finite");
-    return &r.values;
-  }
-  return nullptr;
-}
 
 /// Particle arrays between storage order and rows by id.
 class ById {
@@ -78,7 +55,7 @@ void take_plastic(const Model& m, const std::vector<StateImage::PlasticBond>& pl
   std::vector<Entry> wanted;
   for (const StateImage::PlasticBond& p : plastic) {
     if (!std::isfinite(p.xx) || !std::isfinite(p.yy) || !std::isfinite(p.xy))
-      refuse("has a plastic strain that is not finite");
+      refuse_image("has a plastic strain that is not finite");
     wanted.push_back({std::min(p.a, p.b), std::max(p.a, p.b), &p});
   }
   std::sort(wanted.begin(), wanted.end());
@@ -92,16 +69,16 @@ void take_plastic(const Model& m, const std::vector<StateImage::PlasticBond>& pl
     strain[record] = at->bond->xx, strain[record + width] = at->bond->yy, strain[record + 2 * width] = at->bond->xy;
     ++found;
   });
-  if (found != wanted.size()) refuse("names bonds that this section does not have");
+  if (found != wanted.size()) refuse_image("names bonds that this section does not have");
 }
 
 /// Which layers are there; images of models that never switched any do not say.
 Layers layers_of(const StateImage& image, std::size_t count) {
-  const auto* there = rows(image, "active_layer", 1, count);
+  const auto* there = image_rows(image, "active_layer", 1, count);
   Layers layers;
   if (there == nullptr) return layers;
   for (const double v : *there) {
-    if (v != 0 && v != 1) refuse("has a layer that is neither there nor not");
+    if (v != 0 && v != 1) refuse_image("has a layer that is neither there nor not");
     layers.push_back(v == 1);
   }
   return std::find(layers.begin(), layers.end(), false) == layers.end() ? Layers() : layers;
@@ -120,8 +97,6 @@ StateImage LatticeSimulation::image() const {
                  {"pack_width", static_cast<double>(model_.width)},
                  {"strength_reduction_factor", factor_},
                  {"damping", damping_},
-                 {"kh", drive_.kh},
-                 {"kv", drive_.kv},
                  {"external_work", ledger_.external},
                  {"damping_dissipation", ledger_.damping},
                  {"plastic_dissipation", ledger_.plastic}};
@@ -136,12 +111,8 @@ StateImage LatticeSimulation::image() const {
     read(find_field("external_force"), force);
     out.rows.push_back({"external_force", 2, std::move(force)});
   }
-  std::vector<double> pressures, velocities;
-  for (const LoadDef& l : drive_.loads) pressures.insert(pressures.end(), {l.pressure, l.pressure_end});
-  for (const Vec2& v : drive_.velocities) velocities.insert(velocities.end(), {v.x(), v.y()});
   if (!layers_.empty()) out.rows.push_back({"active_layer", 1, {layers_.begin(), layers_.end()}});
-  out.rows.push_back({"load_pressure", 2, std::move(pressures)});
-  out.rows.push_back({"boundary_velocity", 2, std::move(velocities)});
+  add_drive(drive_, out);
   out.placed = model_.features.placed;
   const auto list = [&](const Array& p, std::vector<StateImage::PlasticBond>& to) {
     if (!p.present()) return;
@@ -157,34 +128,29 @@ StateImage LatticeSimulation::image() const {
 }
 
 void LatticeSimulation::restore_image(const StateImage& image) {
+  if (image.runs_out) refuse_image("is of a run-out; this model is at rest");
   constexpr double kLarge = 1e300, kCount = 1e15;
-  const double time = number(image, "time", 0, kLarge), steps = number(image, "steps", 0, kCount);
-  const double last_step = number(image, "last_time_step", 0, kLarge);
-  const double since_restart = number(image, "since_restart", 0, kCount);
-  const double factor = number(image, "strength_reduction_factor", 1e-3, 1e3);
-  const double damping = number(image, "damping", 0, std::nextafter(1.0, 0.0));
+  const double time = image_number(image, "time", 0, kLarge), steps = image_number(image, "steps", 0, kCount);
+  const double last_step = image_number(image, "last_time_step", 0, kLarge);
+  const double since_restart = image_number(image, "since_restart", 0, kCount);
+  const double factor = image_number(image, "strength_reduction_factor", 1e-3, 1e3);
+  const double damping = image_number(image, "damping", 0, std::nextafter(1.0, 0.0));
   Ledger ledger;
-  ledger.external = number(image, "external_work", -kLarge, kLarge);
-  ledger.damping = number(image, "damping_dissipation", -kLarge, kLarge);
-  ledger.plastic = number(image, "plastic_dissipation", -kLarge, kLarge);
+  ledger.external = image_number(image, "external_work", -kLarge, kLarge);
+  ledger.damping = image_number(image, "damping_dissipation", -kLarge, kLarge);
+  ledger.plastic = image_number(image, "plastic_dissipation", -kLarge, kLarge);
 
   const auto n = section_.seeds.size();
   if (image.particles != model_.particles)
-    refuse("is of " + std::to_string(image.particles) + " particles; this model has " +
-           std::to_string(model_.particles));
-  Drive drive = drive_;
-  drive.kh = number(image, "kh", -1, 1), drive.kv = number(image, "kv", -1, 1);
-  if (const auto* p = rows(image, "load_pressure", 2, drive.loads.size()))
-    for (std::size_t k = 0; k < drive.loads.size(); ++k)
-      drive.loads[k].pressure = (*p)[2 * k], drive.loads[k].pressure_end = (*p)[2 * k + 1];
-  if (const auto* v = rows(image, "boundary_velocity", 2, drive.velocities.size()))
-    for (std::size_t k = 0; k < drive.velocities.size(); ++k) drive.velocities[k] = Vec2((*v)[2 * k], (*v)[2 * k + 1]);
+    refuse_image("is of " + std::to_string(image.particles) + " particles; this model has " +
+                 std::to_string(model_.particles));
+  Drive drive = drive_from(image, drive_);
   const ById by_id(model_);  // the same whichever layers are there
   Outside outside;
   const auto storage = static_cast<std::size_t>(model_.storage);
-  if (const auto* p = rows(image, "pore_pressure", 1, n))
+  if (const auto* p = image_rows(image, "pore_pressure", 1, n))
     outside.pore_pressure.allocate(storage, 2, model_.heap), by_id.scatter(*p, {&outside.pore_pressure});
-  if (const auto* f = rows(image, "external_force", 2, n)) {
+  if (const auto* f = image_rows(image, "external_force", 2, n)) {
     outside.external_x.allocate(storage, 3, model_.heap), outside.external_y.allocate(storage, 4, model_.heap);
     by_id.scatter(*f, {&outside.external_x, &outside.external_y});
   }
@@ -195,34 +161,34 @@ void LatticeSimulation::restore_image(const StateImage& image) {
     try {
       other = stage(layers, image.placed, drive, outside, factor);
     } catch (const Error& error) {
-      refuse("has layers that cannot be: " + error.issue().text);
+      refuse_image("has layers that cannot be: " + error.issue().text);
     }
   }
   const Model& m = other ? other->model : model_;
   if (image.bonds != m.bonds)
-    refuse("has " + std::to_string(image.bonds) + " bonds; this section has " + std::to_string(m.bonds));
+    refuse_image("has " + std::to_string(image.bonds) + " bonds; this section has " + std::to_string(m.bonds));
   State state;
   state.allocate(m);
   const auto take = [&](const char* name, std::initializer_list<Array*> arrays) {
-    const auto* values = rows(image, name, static_cast<int>(arrays.size()), n);
-    if (values == nullptr) refuse("lacks the array " + std::string(name));
+    const auto* values = image_rows(image, name, static_cast<int>(arrays.size()), n);
+    if (values == nullptr) refuse_image("lacks the array " + std::string(name));
     by_id.scatter(*values, arrays);
     for (Array* a : arrays)
       for (std::size_t i = 0; i < storage; ++i)
-        if (m.seed_of[i] < 0 && (*a)[i] != 0) refuse("has a " + std::string(name) + " where no soil is");
+        if (m.seed_of[i] < 0 && (*a)[i] != 0) refuse_image("has a " + std::string(name) + " where no soil is");
   };
   take("displacement", {&state.displacement_x, &state.displacement_y});
   take("velocity", {&state.velocity_x, &state.velocity_y});
   if (state.plastic_volume.present()) take("plastic_volume", {&state.plastic_volume});
   const auto take_strain = [&](const std::vector<StateImage::PlasticBond>& from, Array& to) {
     if (to.present()) take_plastic(m, from, to);
-    else if (!from.empty()) refuse("has plastic strain where nothing yields");
+    else if (!from.empty()) refuse_image("has plastic strain where nothing yields");
   };
   take_strain(image.plastic, state.plastic_strain);
   take_strain(image.placed_strain, state.placed_strain);
   // the hash goes through the storage, whose padding depends on the pack width
-  if (number(image, "pack_width", 1, 64) == m.width && hash_of(state, layers) != image.hash)
-    refuse("does not hold the state it says: its hash differs");
+  if (image_number(image, "pack_width", 1, 64) == m.width && hash_of(state, layers) != image.hash)
+    refuse_image("does not hold the state it says: its hash differs");
 
   if (other) {
     other->state = std::move(state);

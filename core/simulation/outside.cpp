@@ -6,6 +6,17 @@
 
 namespace vbgpd {
 
+namespace {
+
+[[noreturn]] void refuse(ObjectKind object, std::size_t id, double value, const std::string& text) {
+  Issue issue;
+  issue.status = Status::kRange, issue.object = object, issue.object_id = static_cast<std::int64_t>(id);
+  issue.value = value, issue.text = text;
+  throw Error(issue);
+}
+
+}  // namespace
+
 PoreFlux::PoreFlux(const Model& m, const Array& pressure) {
   const auto n = static_cast<std::size_t>(m.storage);
   xx.allocate(n, 4, m.heap), xy.allocate(n, 5, m.heap), yy.allocate(n, 6, m.heap);
@@ -42,6 +53,20 @@ void require_finite(const FieldInfo& info, const std::vector<double>& rows) {
     issue.item = static_cast<std::int64_t>(k) / info.components;
     issue.text = std::string(info.name) + " of particle " + std::to_string(issue.item) + " is not a finite number";
     throw Error(issue);
+  }
+}
+
+void require_drive(const Drive& wanted, const Drive& present, const Section& section) {
+  for (std::size_t n = 0; n < wanted.loads.size(); ++n)
+    for (const double p : {wanted.loads[n].pressure, wanted.loads[n].pressure_end})
+      if (!std::isfinite(p)) refuse(ObjectKind::kLoad, n, p, "the pressure of a load must be a finite number of Pa");
+  for (std::size_t n = 0; n < wanted.velocities.size(); ++n) {
+    const Vec2& v = wanted.velocities[n];
+    if (!v.allFinite())
+      refuse(ObjectKind::kBoundary, n, v.x(), "the velocity of a boundary must be finite numbers of m/s");
+    if (v != present.velocities[n] && section.boundaries[n].kind != BoundaryKind::kVelocity)
+      throw Error(Status::kState, "boundary " + std::to_string(n) +
+                                      " does not move: only boundaries of kind velocity can be given one");
   }
 }
 

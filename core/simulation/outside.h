@@ -8,6 +8,8 @@
 namespace vbgpd {
 
 struct FieldInfo;
+struct Drive;
+struct Section;
 
 /// By storage index; absent arrays have no bytes.
 struct Outside {
@@ -33,6 +35,10 @@ void add_pore_force(const Array& pore_pressure, Model& m);
 
 /// Throws Error(kRange) that names the first particle with a number that is not finite; rows by particle id.
 void require_finite(const FieldInfo& info, const std::vector<double>& rows);
+
+/// Throws Error(kRange) for loads and velocities that are not finite, Error(kState) for a velocity of a boundary that
+/// does not move.
+void require_drive(const Drive& wanted, const Drive& present, const Section& section);
 
 /// Calls f(i, j, force of j on i) for every particle i and each of its neighbours j.
 template <class F>

@@ -125,6 +125,9 @@ class Simulation {
   /// Checks the scene (validate + check_geometry), throws Error whose text lists every error; then builds model and
   /// state.
   static std::unique_ptr<Simulation> compile(const SceneDef& scene, const CompileOptions& options);
+  /// A simulation of the scene in that instant, a run-out where it is one. Throws what compile and restore_image throw.
+  static std::unique_ptr<Simulation> restored(const SceneDef& scene, const CompileOptions& options,
+                                              const StateImage& image);
   virtual ~Simulation() = default;
 
   virtual const SceneDef& scene() const = 0;

@@ -6,9 +6,6 @@
 
 namespace vbgpd {
 
-namespace {
-
-/// Vertical component of the discrete normal area a_i n_i of every particle.
 std::vector<Real> normal_areas(const Model& m) {
   std::vector<Real> area(static_cast<std::size_t>(m.storage), 0);
   for (const Block& block : m.blocks)
@@ -27,6 +24,8 @@ std::vector<Real> normal_areas(const Model& m) {
   return area;
 }
 
+namespace {
+
 /// Elevation of the ground at x.
 Real ground_level(const std::vector<Point>& ground, Real x) {
   for (std::size_t k = 1; k < ground.size(); ++k) {
@@ -40,9 +39,9 @@ Real ground_level(const std::vector<Point>& ground, Real x) {
 
 }  // namespace
 
-void add_surface_loads(const std::vector<LoadDef>& loads, const Section& section, Model& m) {
-  if (loads.empty()) return;
-  const std::vector<Real> area = normal_areas(m);
+void spread_surface_loads(const std::vector<LoadDef>& loads, const Section& section,
+                          const std::function<Real(std::size_t)>& area,
+                          const std::function<void(std::size_t, Real)>& push) {
   const Real dx = section.lattice.spacing.x(), dy = section.lattice.spacing.y();
   const bool whole =
       std::all_of(section.seeds.begin(), section.seeds.end(), [](const Seed& seed) { return seed.active; });
@@ -61,18 +60,26 @@ void add_surface_loads(const std::vector<LoadDef>& loads, const Section& section
       const Vec2 center = section.lattice.center(seed.ix, seed.iy);
       const Real left = std::max(center.x() - dx / 2, load.x0), right = std::min(center.x() + dx / 2, load.x1);
       if (right <= left || ground_level(section.ground, center.x()) - center.y() > depth) continue;
-      const auto i = static_cast<std::size_t>(m.storage_of[k]);
       const Real mean = pressure((left + right) / 2);
-      const Real f = mean * area[i] * (right - left) / dx;
+      const Real f = mean * area(k) * (right - left) / dx;
       if (columns.insert(seed.ix).second) carried += mean * (right - left);
-      shares.emplace_back(i, f);
+      shares.emplace_back(k, f);
       total += f;
     }
     // where soil was taken away down to the base there is nothing left to stand on
     const Real asked = whole ? (load.pressure + end) / 2 * (load.x1 - load.x0) : carried;
     if (total == 0) continue;
-    for (const auto& [i, f] : shares) m.force_y[i] -= f * asked / total;
+    for (const auto& [k, f] : shares) push(k, -(f * asked / total));
   }
+}
+
+void add_surface_loads(const std::vector<LoadDef>& loads, const Section& section, Model& m) {
+  if (loads.empty()) return;
+  const std::vector<Real> area = normal_areas(m);
+  const auto place = [&](std::size_t seed) { return static_cast<std::size_t>(m.storage_of[seed]); };
+  spread_surface_loads(
+      loads, section, [&](std::size_t seed) { return area[place(seed)]; },
+      [&](std::size_t seed, Real force) { m.force_y[place(seed)] += force; });
 }
 
 }  // namespace vbgpd

@@ -1,5 +1,6 @@
-// The run-out side of the engine (updated-Lagrangian): FlowModel is const after the hand-over, FlowState is everything
-// that changes, FlowLists follows from the state, FlowScratch is written before it is read.
+// The run-out side of the engine (updated-Lagrangian): FlowModel is const after the hand-over but for the forces set
+// from outside, FlowState is everything that changes, FlowLists follows from the state, FlowScratch is written before
+// it is read.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct FlowOptions {
   Real smallest_eigenvalue = 0.2;    ///< floor of the moment matrix, 1 in the bulk
   Real skin = 0.4;                   ///< how far beyond the support neighbours are listed
   Real time_step = 0.3;              ///< of spacing / wave speed
+  Real friction_lag = 4;  ///< of height / wave speed: the while over which Coulomb walls take the mean normal force
   // of the rivals (sph, sph_artificial_stress, pseudo_spring, gpd)
   Real wave_viscosity = 0.1;        ///< alpha of Monaghan's alpha c h, c the wave speed, in soil (Bui et al. 2008)
   Real elastic_wave_viscosity = 1;  ///< where nothing yields (Gray, Monaghan & Swift 2001)
@@ -46,7 +48,11 @@ struct FlowModel {
   Real viscosity = 0;  ///< alpha c h, m2/s
   Real time_step = 0;  ///< s
   // by particle id
-  Array volume, mass, force_x, force_y, reference_x, reference_y;
+  Array volume, mass, reference_x, reference_y;
+  Array force_x, force_y;            ///< all that pushes it from outside, N
+  Array weight;                      ///< N, without kv
+  Array surface_area;                ///< present with loads: vertical normal area, m
+  Array pore_force_x, pore_force_y;  ///< present with water: its force at the hand-over, N
   Array size;            ///< of its guard: sqrt(volume), less where neighbours or walls are nearer from the start, m
   Array extra_cohesion;  ///< present with a cohesion gradient, Pa
   std::vector<std::int32_t> material;
@@ -67,6 +73,7 @@ struct FlowState {
   Array gap;             ///< volumetric strain by which a particle in tension has come apart
   Array plastic_strain;  ///< engineering plastic shear strain, summed along the way
   Array wall_shear;      ///< elastic stretch of the contact with a rough wall, m
+  Array wall_limit;      ///< present with Coulomb walls: their friction at most, mean over a short while, N
   Array particle;        ///< id of the particle at this place of the order
   Array listed;          ///< [2n] positions at the last neighbour search
   Array dead;            ///< present with law gpd: 1 once the particle has reached its strength
@@ -81,6 +88,7 @@ struct FlowState {
     f("gap", s.gap);
     f("plastic_strain", s.plastic_strain);
     f("wall_shear", s.wall_shear);
+    f("wall_limit", s.wall_limit);
     f("particle", s.particle);
     f("listed", s.listed);
     f("dead", s.dead);

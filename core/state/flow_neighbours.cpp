@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace vbgpd {
@@ -26,7 +27,10 @@ class Cells {
       longer = std::max<std::int64_t>(4, longer / 2);
     }
   }
-  std::int64_t column(Real x) const { return static_cast<std::int64_t>(std::floor(x * inverse_)); }
+  std::int64_t column(Real x) const {
+    const Real k = std::floor(x * inverse_);
+    return std::fabs(k) < 1e15 ? static_cast<std::int64_t>(k) : 0;  // a state that diverged has no place
+  }
   std::int64_t cell(std::int64_t column, std::int64_t row) const {
     return wrapped(column, count_[0]) * count_[1] + wrapped(row, count_[1]);
   }
@@ -85,26 +89,33 @@ bool right_corner(const FlowWall& a, const FlowWall& b) {
   return false;
 }
 
-void find_ghosts(const FlowModel& m, const Array& xy, Real reach, FlowLists& lists) {
+/// Images of all particles near walls; answers how many there are, of which it keeps `most`.
+std::size_t find_ghosts(const FlowModel& m, const Array& xy, Real reach, FlowLists& lists,
+                        std::size_t most = std::numeric_limits<std::size_t>::max()) {
   lists.ghosts.clear();
+  std::size_t count = 0;
+  const auto add = [&](const FlowGhost& ghost) {
+    if (++count <= most) lists.ghosts.push_back(ghost);
+  };
   const auto walls = static_cast<std::int32_t>(m.walls.size());
   for (std::int32_t i = 0; i < m.particles; ++i) {
     const Real x = xy[2 * static_cast<std::size_t>(i)], y = xy[2 * static_cast<std::size_t>(i) + 1];
-    bool near_wall = false;
+    std::int32_t near_wall = 0;
     for (std::int32_t k = 0; k < walls; ++k) {
       const FlowWall& w = m.walls[static_cast<std::size_t>(k)];
       const Real s = along(w, x, y);
       const auto close = [&](const FlowWall& wall) { return std::fabs(before(wall, x, y)) < reach; };
       if (!close(w) || s < w.low - reach || s > w.high + reach) continue;
-      near_wall = true;
-      lists.ghosts.push_back({i, k, -1});
+      near_wall = std::max(near_wall, w.friction >= 0 ? 2 : 1);
+      add({i, k, -1});
       for (std::int32_t l = k + 1; l < walls; ++l) {
         const FlowWall& second = m.walls[static_cast<std::size_t>(l)];
-        if (close(second) && right_corner(w, second)) lists.ghosts.push_back({i, k, l});
+        if (close(second) && right_corner(w, second)) add({i, k, l});
       }
     }
-    lists.rows[static_cast<std::size_t>(i)].near_wall = near_wall ? 1 : 0;
+    lists.rows[static_cast<std::size_t>(i)].near_wall = near_wall;
   }
+  return count;
 }
 
 /// Does a particle see an image through the wall itself, or past its end? The answer is the same for the partner and
@@ -131,13 +142,7 @@ class Lister {
     const auto n = static_cast<std::size_t>(m_.particles);
     lists_.rows.assign(n, {});
     find_ghosts(m_, xy_, reach_, lists_);
-    images_.clear();
-    for (const FlowGhost& g : lists_.ghosts) {
-      Real x = xy_[2 * static_cast<std::size_t>(g.parent)], y = xy_[2 * static_cast<std::size_t>(g.parent) + 1];
-      mirror(m_.walls[static_cast<std::size_t>(g.wall)], x, y);
-      if (g.second >= 0) mirror(m_.walls[static_cast<std::size_t>(g.second)], x, y);
-      images_.push_back(x), images_.push_back(y);
-    }
+    place_images();
     const Bins soil(cells_, n, [&](std::size_t i) { return cells_.cell_at(xy_[2 * i], xy_[2 * i + 1]); });
     const Bins ghosts(cells_, lists_.ghosts.size(),
                       [&](std::size_t g) { return cells_.cell_at(images_[2 * g], images_[2 * g + 1]); });
@@ -162,7 +167,35 @@ class Lister {
     }
   }
 
+  /// Pairs that list() would look at; `most` once there are more images than that.
+  std::int64_t work(std::int64_t most) {
+    const auto n = static_cast<std::size_t>(m_.particles);
+    lists_.rows.assign(n, {});
+    if (find_ghosts(m_, xy_, reach_, lists_, static_cast<std::size_t>(most)) >= static_cast<std::size_t>(most))
+      return most;
+    place_images();
+    const Bins soil(cells_, n, [&](std::size_t i) { return cells_.cell_at(xy_[2 * i], xy_[2 * i + 1]); });
+    const Bins ghosts(cells_, lists_.ghosts.size(),
+                      [&](std::size_t g) { return cells_.cell_at(images_[2 * g], images_[2 * g + 1]); });
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      for_each_cell(i, [&](std::size_t cell) {
+        sum += soil.begin[cell + 1] - soil.begin[cell];
+        if (lists_.rows[i].near_wall != 0) sum += ghosts.begin[cell + 1] - ghosts.begin[cell];
+      });
+    return sum;
+  }
+
  private:
+  void place_images() {
+    images_.clear();
+    for (const FlowGhost& g : lists_.ghosts) {
+      Real x = xy_[2 * static_cast<std::size_t>(g.parent)], y = xy_[2 * static_cast<std::size_t>(g.parent) + 1];
+      mirror(m_.walls[static_cast<std::size_t>(g.wall)], x, y);
+      if (g.second >= 0) mirror(m_.walls[static_cast<std::size_t>(g.second)], x, y);
+      images_.push_back(x), images_.push_back(y);
+    }
+  }
   std::int32_t packs() const { return static_cast<std::int32_t>(lists_.neighbours.size() / 4); }
   void fill_pack() {
     while (lists_.neighbours.size() % 4 != 0) lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles));
@@ -179,14 +212,16 @@ class Lister {
     if (ghost.second < 0 && !seen(wall, xy_[2 * i], xy_[2 * i + 1], x, y)) return;
     lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles) + 1 + g);
   }
-  void around(std::size_t i, const Bins& bins, auto&& use) const {
+  void for_each_cell(std::size_t i, auto&& use) const {
     const std::int64_t cx = cells_.column(xy_[2 * i]), cy = cells_.column(xy_[2 * i + 1]);
     for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        const auto cell = static_cast<std::size_t>(cells_.cell(cx + dx, cy + dy));
-        for (std::int32_t k = bins.begin[cell]; k < bins.begin[cell + 1]; ++k)
-          use(bins.items[static_cast<std::size_t>(k)]);
-      }
+      for (std::int64_t dy = -1; dy <= 1; ++dy) use(static_cast<std::size_t>(cells_.cell(cx + dx, cy + dy)));
+  }
+  void around(std::size_t i, const Bins& bins, auto&& use) const {
+    for_each_cell(i, [&](std::size_t cell) {
+      for (std::int32_t k = bins.begin[cell]; k < bins.begin[cell + 1]; ++k)
+        use(bins.items[static_cast<std::size_t>(k)]);
+    });
   }
 
   const FlowModel& m_;
@@ -197,6 +232,17 @@ class Lister {
   std::vector<Real> images_;
   std::vector<std::int32_t> beyond_;
 };
+
+}  // namespace
+
+void place_forces(const FlowModel& m, const FlowState& s, FlowLists& lists) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.particles); ++i) {
+    const auto id = static_cast<std::size_t>(s.particle[i]);
+    lists.force[2 * i] = m.force_x[id], lists.force[2 * i + 1] = m.force_y[id];
+  }
+}
+
+namespace {
 
 /// Constants of the particles at their present places.
 void place_constants(const FlowModel& m, const FlowState& s, FlowLists& lists) {
@@ -215,9 +261,9 @@ void place_constants(const FlowModel& m, const FlowState& s, FlowLists& lists) {
     lists.constants[4 * i + 1] = m.mass[id];
     lists.constants[4 * i + 2] = wave;
     lists.constants[4 * i + 3] = m.size[id];
-    lists.force[2 * i] = m.force_x[id], lists.force[2 * i + 1] = m.force_y[id];
     if (m.extra_cohesion.present()) lists.extra_cohesion[i] = m.extra_cohesion[id];
   }
+  place_forces(m, s, lists);
   for (std::size_t g = 0; g < ghosts; ++g) {
     const auto parent = static_cast<std::size_t>(lists.ghosts[g].parent);
     lists.volume[n + 1 + g] = lists.volume[parent];
@@ -242,21 +288,28 @@ void list_neighbours(const FlowModel& m, const FlowState& s, FlowLists& lists) {
   place_constants(m, s, lists);
 }
 
-void search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
+std::int64_t listing_work(const FlowModel& m, const FlowState& s) {
+  FlowLists lists;
+  return Lister(m, s, lists).work(1000 * m.particles + 1000000);
+}
+
+bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
   const auto n = static_cast<std::size_t>(m.particles);
   for (std::size_t i = 0; i < n; ++i) s.listed[2 * i] = s.motion[4 * i], s.listed[2 * i + 1] = s.motion[4 * i + 1];
   const Cells cells(m, s.listed, m.support + m.options.skin * m.spacing);
   const Bins sorted(cells, n, [&](std::size_t i) { return cells.cell_at(s.listed[2 * i], s.listed[2 * i + 1]); });
   const std::vector<std::int32_t>& order = sorted.items;  // new place -> old place
+  const bool reordered = !std::is_sorted(order.begin(), order.end());
   permute(s.motion, order, 4), permute(s.stress, order, 4), permute(s.listed, order, 2);
-  for (Array* a : {&s.gap, &s.plastic_strain, &s.wall_shear, &s.particle, &s.dead}) permute(*a, order, 1);
+  for (Array* a : {&s.gap, &s.plastic_strain, &s.wall_shear, &s.wall_limit, &s.particle, &s.dead})
+    permute(*a, order, 1);
   const FlowLists old = std::move(lists);
   const Array traction = std::move(s.traction);
   list_neighbours(m, s, lists = FlowLists{});
   s.traction = Array{};
-  if (!m.keeps_bonds()) return;
+  if (!m.keeps_bonds()) return reordered;
   s.traction.allocate(2 * lists.neighbours.size(), 8, m.heap);
-  if (!traction.present()) return;
+  if (!traction.present()) return reordered;
   for (std::size_t i = 0; i < n; ++i)
     for (auto k = 4 * static_cast<std::size_t>(lists.rows[i].begin);
          k < 4 * static_cast<std::size_t>(lists.rows[i].ghosts); ++k) {
@@ -266,6 +319,7 @@ void search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
       if (t == nullptr) continue;
       s.traction[8 * (k / 4) + k % 4] = t[0], s.traction[8 * (k / 4) + 4 + k % 4] = t[4];
     }
+  return reordered;
 }
 
 void join_neighbours(const FlowModel& m, FlowState& s, const FlowLists& lists) {

@@ -7,11 +7,18 @@
 namespace vbgpd {
 
 /// Sorts the state by cells of the present positions, lists neighbours and images, hands tractions over. `lists` is the
-/// present one and becomes the new one.
-void search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists);
+/// present one and becomes the new one. Answers whether the particles are stored in another order now.
+bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists);
 
 /// Law pseudo_spring: joins every pair nearer than the reach of a spring, at rest as it is now; all others part.
 void join_neighbours(const FlowModel& m, FlowState& s, const FlowLists& lists);
+
+/// How many pairs of particles and images the next listing has to look at: a few dozen a particle, unless positions
+/// that nobody moved there lie on top of each other.
+std::int64_t listing_work(const FlowModel& m, const FlowState& s);
+
+/// Writes the forces of the model to the present places of the particles.
+void place_forces(const FlowModel& m, const FlowState& s, FlowLists& lists);
 
 /// The same lists again from a saved state (nothing is sorted, tractions stay).
 void list_neighbours(const FlowModel& m, const FlowState& s, FlowLists& lists);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 
 #include "state/flow_model.h"
@@ -19,7 +20,8 @@ std::size_t bytes_of(std::initializer_list<const Array*> arrays) {
 }  // namespace
 
 std::size_t FlowModel::bytes() const {
-  return bytes_of({&volume, &mass, &force_x, &force_y, &reference_x, &reference_y, &size, &extra_cohesion}) +
+  return bytes_of({&volume, &mass, &force_x, &force_y, &weight, &surface_area, &pore_force_x, &pore_force_y,
+                   &reference_x, &reference_y, &size, &extra_cohesion}) +
          bytes_of(material) + bytes_of(walls);
 }
 
@@ -40,6 +42,8 @@ void FlowState::allocate(const FlowModel& m) {
   gap.allocate(n, 3, m.heap);
   plastic_strain.allocate(n, 4, m.heap);
   wall_shear.allocate(m.walls.empty() ? 0 : n, 5, m.heap);
+  const bool slides = std::any_of(m.walls.begin(), m.walls.end(), [](const FlowWall& w) { return w.friction >= 0; });
+  wall_limit.allocate(slides ? n : 0, 10, m.heap);
   particle.allocate(n, 6, m.heap);
   listed.allocate(2 * n, 7, m.heap);
   dead.allocate(m.bond == FlowBondLaw::kGpd ? n : 0, 9, m.heap);

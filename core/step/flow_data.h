@@ -32,6 +32,9 @@ struct FlowControls {
   double spring_reach = 0;               ///< pseudo-springs join pairs nearer than that, m
   double artificial_stress = 0;          ///< eps
   double inverse_kernel_at_spacing = 0;  ///< 1 / ((1 - q/2)^4 (1 + 2q)), q = dx/h
+  double image_reach = 0;                ///< mirror images farther away than that are not seen, m
+  double friction_rate = 0;              ///< how much of a change of the normal force on a Coulomb wall a step takes in
+  int walls_hold = 0;                    ///< 1: Coulomb walls hold whatever comes, while strengths are left out
   double cohesion_scale = 1;             ///< 1/F, for cohesion that grows with depth; 0 while strengths are left out
   const FlowLaw* laws = nullptr;
 };
@@ -67,7 +70,7 @@ struct FlowData {
   const std::int32_t* soil;
   const double *constants, *volume, *force, *extra_cohesion, *listed;
   // state
-  double *stress, *gap, *plastic_strain, *wall_shear, *traction, *dead;
+  double *stress, *gap, *plastic_strain, *wall_shear, *wall_limit, *traction, *dead;
   // scratch; motion is the state's, with ghosts
   double *motion, *next_motion, *next_stress, *gradient, *bond, *inverse, *flux, *slope_x, *slope_y, *pair_force,
       *weight, *artificial;

@@ -107,7 +107,7 @@ inline void motion_pass(const FlowData& shared, const FlowControls& shared_contr
     for (std::int32_t p = row.ghosts; p < row.end; ++p) add_ghosts<PairLaw>(d, c, i, p, s);
     const Pack f = sums_of(s.fx, s.fy, s.hx, s.hy), g = sums_of(s.sx, s.sy, s.energy, Pack{});
     const Pack w = row.near_wall != 0 ? sums_of(s.bx, s.by, Pack{}, Pack{}) : Pack{};
-    const ContactForce wall = row.near_wall != 0 ? wall_contact(d, c, i) : ContactForce{};
+    const ContactForce wall = row.near_wall != 0 ? wall_force(d, c, i, TellNobody{}) : ContactForce{};
     const double volume = d.constants[4l * i], mass = d.constants[4l * i + 1];
     const double ex = d.force[2l * i], ey = d.force[2l * i + 1];
     double pair_x = 0, pair_y = 0;

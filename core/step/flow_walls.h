@@ -78,44 +78,150 @@ inline void press_ghosts(const FlowData& d) {
   }
 }
 
-/// Force of the walls on a particle nearer than half the guard distance: a spring with a dashpot across, and a spring
-/// along a rough wall, which allows no slip (soil that carries no stress does not feel the images and would slide for
-/// ever).
 struct ContactForce {
   double x = 0, y = 0;
 };
-inline ContactForce wall_contact(const FlowData& d, const FlowControls& c, int i) {
+
+/// Force of one mirror image on particle i: what motion_pass adds up in packs.
+inline ContactForce image_force(const FlowData& d, const FlowControls& c, int i, std::int32_t j) {
+  const double *const own = d.motion + 4l * i, *const other = d.motion + 4l * j;
+  const double x = other[0] - own[0], y = other[1] - own[1], r = root(x * x + y * y);
+  if (!(r < c.image_reach)) return {};
+  const double s = larger(1 - r * c.inverse_support, 0);
+  const double weight = c.weight_scale * s * s * s * d.volume[j], scale = d.constants[4l * i] * weight;
+  const double *const p = d.flux + 4l * i, *const q = d.flux + 4l * j, *const b = d.weight + 4l * (j - d.particles);
+  const double closing = smaller((other[2] - own[2]) * x + (other[3] - own[3]) * y, 0);
+  const double drag = c.viscosity * weight * d.constants[4l * i + 1] * closing / (x * x + y * y + c.softening);
+  return {scale * ((p[0] + q[0] + b[0]) * x + (p[1] + q[1] + b[1]) * y) + drag * x,
+          scale * ((p[2] + q[2] + b[2]) * x + (p[3] + q[3] + b[3]) * y) + drag * y};
+}
+
+/// Push of a wall on a particle nearer than half the guard distance: a spring with a dashpot, across the wall.
+struct Push {
+  bool near = false;
+  double nx = 0, ny = 0, force = 0;
+};
+inline Push push_of(const FlowData& d, const FlowControls& c, int i, const FlowWall& w) {
   const double* const m = d.motion + 4l * i;
   const double modulus = d.constants[4l * i + 2], reach = 0.5 * c.guard_distance * d.constants[4l * i + 3];
+  const double along = (m[0] - w.x) * w.ny - (m[1] - w.y) * w.nx;
+  const double foot = larger(smaller(along, w.high), w.low);
+  Push push{false, w.nx, w.ny, 0};
+  double distance = distance_to(w, m[0], m[1]);
+  if (foot != along) {  // beyond its end: the corner repels, once, and only what neither wall has in front of it
+    if (along < w.low || w.next < 0) return push;
+    const FlowWall& next = d.walls[w.next];
+    if ((m[0] - next.x) * next.ny - (m[1] - next.y) * next.nx >= next.low) return push;
+    const double ex = m[0] - w.x - foot * w.ny, ey = m[1] - w.y + foot * w.nx;
+    distance = root(ex * ex + ey * ey);
+    if (!(distance > 0)) return push;
+    push.nx = ex / distance, push.ny = ey / distance;
+  }
+  if (distance >= reach || distance < -8 * reach) return push;
   const double density = d.constants[4l * i + 1] / d.constants[4l * i], speed = root(modulus / density);
+  const double across = m[2] * push.nx + m[3] * push.ny;
+  push.near = true;
+  push.force = larger(2 * c.guard_stiffness * modulus * (reach - distance) - c.dashpot * density * speed * across, 0);
+  return push;
+}
+
+/// Force of the walls on a particle beside that of its images: the push above, and a spring along a rough wall, which
+/// allows no slip (soil that carries no stress does not feel the images and would slide for ever). tell(wall, x, y)
+/// hears of each.
+template <class Tell>
+inline ContactForce wall_contact(const FlowData& d, const FlowControls& c, int i, const Tell& tell) {
+  const double* const m = d.motion + 4l * i;
   const FlowLaw& law = c.laws[d.soil[i]];
   ContactForce f;
   bool held = false;
   for (int k = 0; k < d.wall_count; ++k) {
     const FlowWall& w = d.walls[k];
-    const double along = (m[0] - w.x) * w.ny - (m[1] - w.y) * w.nx;
-    const double foot = larger(smaller(along, w.high), w.low);
-    double nx = w.nx, ny = w.ny, distance = distance_to(w, m[0], m[1]);
-    if (foot != along) {  // beyond the end of the wall: its corner repels
-      const double ex = m[0] - w.x - foot * w.ny, ey = m[1] - w.y + foot * w.nx;
-      distance = root(ex * ex + ey * ey);
-      if (!(distance > 0)) continue;
-      nx = ex / distance, ny = ey / distance;
-    }
-    if (distance >= reach || distance < -8 * reach) continue;
-    const double across = m[2] * nx + m[3] * ny;
-    const double normal =
-        larger(2 * c.guard_stiffness * modulus * (reach - distance) - c.dashpot * density * speed * across, 0);
-    f.x += normal * nx, f.y += normal * ny;
-    if (w.rough == 0 || held) continue;
+    const Push push = push_of(d, c, i, w);
+    if (!push.near) continue;
+    f.x += push.force * push.nx, f.y += push.force * push.ny;
+    tell(k, push.force * push.nx, push.force * push.ny);
+    if (w.rough == 0 || held || d.rows[i].near_wall == 2) continue;  // there the one spring serves the Coulomb wall
     held = true;
     const double stiffness = law.constants.shear_modulus;
-    const double stretch = d.wall_shear[i] + c.time_step * (m[2] * ny - m[3] * nx);
+    const double stretch = d.wall_shear[i] + c.time_step * (m[2] * push.ny - m[3] * push.nx);
     d.wall_shear[i] = stretch;
-    f.x -= stiffness * stretch * ny, f.y += stiffness * stretch * nx;
+    f.x -= stiffness * stretch * push.ny, f.y += stiffness * stretch * push.nx;
+    tell(k, -stiffness * stretch * push.ny, stiffness * stretch * push.nx);
   }
-  if (!held) d.wall_shear[i] = 0;
+  if (!held && d.rows[i].near_wall != 2) d.wall_shear[i] = 0;
   return f;
+}
+
+/// All that comes across wall k to particle i: of the images behind it, of those behind its corners what is along its
+/// normal, and of the push.
+inline double normal_force(const FlowData& d, const FlowControls& c, int i, int k) {
+  const FlowWall& w = d.walls[k];
+  const FlowRow row = d.rows[i];
+  double sum = 0;
+  for (auto n = 4l * row.ghosts; n < 4l * row.end; ++n) {
+    const std::int32_t j = d.neighbours[n];
+    if (j == d.particles) continue;
+    const FlowGhost& ghost = d.ghosts[j - d.particles - 1];
+    if (ghost.wall != k && ghost.second != k) continue;
+    const ContactForce f = image_force(d, c, i, j);
+    sum += f.x * w.nx + f.y * w.ny;
+  }
+  const Push push = push_of(d, c, i, w);
+  return push.near ? sum + push.force * (push.nx * w.nx + push.ny * w.ny) : sum;
+}
+
+/// Friction of Coulomb walls: a spring along the wall on every particle that sees its image there, at most mu N of what
+/// comes across. The images themselves slide along: a stick trial by images that stand still (Q = -1) would wind up
+/// stress and spin of the rows that slide. N is the mean over a short while (Simoes & Martins 1998): friction that
+/// follows every vibration of it at once feeds that vibration. One spring serves all walls of a corner; they share it
+/// by their limits.
+template <class Tell>
+inline ContactForce wall_friction(const FlowData& d, const FlowControls& c, int i, const Tell& tell) {
+  const double* const m = d.motion + 4l * i;
+  const auto pressed = [&](int k) { return larger(normal_force(d, c, i, k), 0); };
+  const auto share_of = [&](int k, double normal) { return c.walls_hold != 0 ? normal : d.walls[k].friction * normal; };
+  double total = 0, most = 0, speed = 0, tx = 0, ty = 0, limit = 0;
+  for (int k = 0; k < d.wall_count; ++k) {
+    const FlowWall& w = d.walls[k];
+    if (w.friction < 0) continue;
+    const double normal = pressed(k), share = share_of(k, normal);
+    if (share > most) most = share, speed = m[2] * w.ny - m[3] * w.nx;
+    total += share, tx += share * w.ny, ty -= share * w.nx;
+    limit += w.friction * normal;
+  }
+  double& mean = d.wall_limit[i];
+  mean += (limit - mean) * (c.walls_hold != 0 ? 1 : smaller(c.friction_rate, 1));
+  if (!(total > 0)) {
+    d.wall_shear[i] = 0;
+    return {};
+  }
+  const double stiffness = c.laws[d.soil[i]].constants.shear_modulus;
+  double stretch = d.wall_shear[i] + c.time_step * speed;
+  if (c.walls_hold == 0) stretch = larger(smaller(stretch, mean / stiffness), -mean / stiffness);
+  d.wall_shear[i] = stretch;
+  const double force = -stiffness * stretch / total;
+  if constexpr (Tell::kListens)
+    for (int k = 0; k < d.wall_count; ++k) {
+      const FlowWall& w = d.walls[k];
+      if (w.friction < 0) continue;
+      const double share = share_of(k, pressed(k));
+      tell(k, force * share * w.ny, -force * share * w.nx);
+    }
+  return {force * tx, force * ty};
+}
+
+struct TellNobody {
+  static constexpr bool kListens = false;
+  void operator()(int, double, double) const {}
+};
+
+/// Both.
+template <class Tell>
+inline ContactForce wall_force(const FlowData& d, const FlowControls& c, int i, const Tell& tell) {
+  ContactForce f = wall_contact(d, c, i, tell);
+  if (d.rows[i].near_wall != 2) return f;
+  const ContactForce friction = wall_friction(d, c, i, tell);
+  return {f.x + friction.x, f.y + friction.y};
 }
 
 }  // namespace VBGPD_ISA

@@ -1,5 +1,5 @@
-/* A model goes on in another process as if nothing had happened: capi_checkpoint; capi_checkpoint go_on FILE THREADS.
- */
+/* A model, at rest or sliding, goes on in another process as if nothing had happened: capi_checkpoint; capi_checkpoint
+ * go_on FILE THREADS. */
 #include <inttypes.h>
 
 #include "slope.h"
@@ -40,6 +40,27 @@ static vbgpd_model* driven_model(vbgpd_context* context) {
   CHECK_OK(vbgpd_model_step(model, before, NULL));
   CHECK(model_number(model, "plastic_bonds") > 100);
   return model;
+}
+
+/* The same slope with a third of its strength, in the middle of its slide. */
+static vbgpd_model* sliding_model(vbgpd_context* context) {
+  vbgpd_model *at_rest = driven_model(context), *sliding = NULL;
+  vbgpd_selection top;
+  double push[2] = {-900, 300};
+  const int64_t id = 11;
+  int32_t field;
+  CHECK_OK(vbgpd_model_set_f64(at_rest, "strength_reduction_factor", VBGPD_STRLEN, 3));
+  CHECK_OK(vbgpd_model_create_runout(at_rest, &sliding));
+  CHECK_OK(vbgpd_model_destroy(at_rest));
+  CHECK_OK(vbgpd_model_set_load(sliding, 0, 20e3, 30e3));
+  CHECK_OK(vbgpd_model_set_f64(sliding, "kv", VBGPD_STRLEN, 0.1));
+  memset(&top, 0, sizeof top);
+  top.struct_size = sizeof top, top.kind = VBGPD_SELECT_IDS, top.ids = &id, top.n_ids = 1;
+  CHECK_OK(vbgpd_field_find("external_force", VBGPD_STRLEN, &field));
+  CHECK_OK(vbgpd_model_write_f64(sliding, field, &top, push, 0, 0, 1));
+  CHECK_OK(vbgpd_model_advance_to(sliding, 1, 0, NULL, NULL, NULL));
+  CHECK(model_number(sliding, "max_displacement") > 0.5 && model_number(sliding, "neighbour_searches") > 2);
+  return sliding;
 }
 
 static uint64_t hash_of(const vbgpd_model* model) {
@@ -169,29 +190,51 @@ static void fresh_models_come_back(vbgpd_context* context) {
   }
 }
 
-int main(int argc, char** argv) {
-  if (argc == 4) return go_on(argv[2], (int32_t)atoi(argv[3]));
-  vbgpd_context* context = context_with(2);
-  vbgpd_model* model = driven_model(context);
+static void goes_on_in_another_process(const char* program, vbgpd_context* context, vbgpd_model* model) {
   int64_t size = 0;
   unsigned char* bytes = bytes_of(model, &size);
   char path[4200];
   FILE* file;
   int threads;
   uint64_t expected;
-  snprintf(path, sizeof path, "%s.vbgc", argv[0]);
+  double residual;
+  snprintf(path, sizeof path, "%s.vbgc", program);
   file = fopen(path, "wb");
   CHECK(file != NULL && fwrite(bytes, 1, (size_t)size, file) == (size_t)size && fclose(file) == 0);
   damaged_ones_are_refused(context, model, bytes, size);
   limits_hold_for_checkpoints(bytes, size);
   CHECK_OK(vbgpd_model_step(model, after, NULL));
-  expected = hash_of(model);
-  for (threads = 1; threads <= 3; ++threads) same_in_another_process(argv[0], path, threads, expected);
+  expected = hash_of(model), residual = model_number(model, "energy_residual");
+  for (threads = 1; threads <= 3; ++threads) same_in_another_process(program, path, threads, expected);
   remove(path);
+  CHECK_OK(vbgpd_model_restore_checkpoint(model, bytes, size));
+  CHECK_OK(vbgpd_model_step(model, after, NULL));
+  CHECK(hash_of(model) == expected && model_number(model, "energy_residual") == residual);
   free(bytes);
+}
+
+/* One kind is not taken for the other. */
+static void kinds_are_told_apart(vbgpd_model* at_rest, vbgpd_model* sliding) {
+  int64_t size = 0;
+  unsigned char* bytes = bytes_of(at_rest, &size);
+  CHECK_STATUS(VBGPD_E_FORMAT, vbgpd_model_restore_checkpoint(sliding, bytes, size));
+  free(bytes);
+  bytes = bytes_of(sliding, &size);
+  CHECK_STATUS(VBGPD_E_FORMAT, vbgpd_model_restore_checkpoint(at_rest, bytes, size));
+  free(bytes);
+}
+
+int main(int argc, char** argv) {
+  if (argc == 4) return go_on(argv[2], (int32_t)atoi(argv[3]));
+  vbgpd_context* context = context_with(2);
+  vbgpd_model *at_rest = driven_model(context), *sliding = sliding_model(context);
+  kinds_are_told_apart(at_rest, sliding);
+  goes_on_in_another_process(argv[0], context, at_rest);
+  goes_on_in_another_process(argv[0], context, sliding);
   profiles_come_back_from_their_bytes(context);
   fresh_models_come_back(context);
-  CHECK_OK(vbgpd_model_destroy(model));
+  CHECK_OK(vbgpd_model_destroy(at_rest));
+  CHECK_OK(vbgpd_model_destroy(sliding));
   CHECK_OK(vbgpd_context_destroy(context));
   return 0;
 }

@@ -10,9 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.spacing_factor = checkpoint.spacing_factor;
     options.lattice_multiple = checkpoint.lattice_multiple;
     options.coarsening = checkpoint.coarsening;
-    options.max_particles = checkpoint.state.particles;  // as vbgpd_model_create_from_checkpoint
-    const auto simulation = vbgpd::Simulation::compile(checkpoint.scene, options);
-    simulation->restore_image(checkpoint.state);
+    const auto simulation = vbgpd::Simulation::restored(checkpoint.scene, options, checkpoint.state);
     simulation->step(1, nullptr);
     simulation->image();
   } catch (const vbgpd::Error&) {

@@ -7,7 +7,7 @@
 #include "exchange/scene_buffer.h"
 #include "exchange/scene_text.h"
 #include "physics/scenes.h"
-#include "simulation/simulation.h"
+#include "simulation/flow_simulation.h"
 
 namespace fs = std::filesystem;
 
@@ -18,14 +18,15 @@ void write(const fs::path& path, const void* bytes, std::size_t size) {
   std::ofstream(path, std::ios::binary).write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
 }
 
-void write_checkpoint(const fs::path& path, const vbgpd::SceneDef& scene, bool driven) {
-  const auto s = vbgpd::Simulation::compile(scene, {});
+void write_checkpoint(const fs::path& path, const vbgpd::SceneDef& scene, bool driven, bool runs_out = false) {
+  auto s = vbgpd::Simulation::compile(scene, {});
   if (driven) {
     s->set("kh", 0.2);
     s->set("strength_reduction_factor", 3);
     std::vector<double> pressure(static_cast<std::size_t>(s->particle_count()), 1e4);
     s->write(vbgpd::find_field("pore_pressure"), pressure);
   }
+  if (runs_out) s = vbgpd::make_runout(*s);
   s->step(60, nullptr);
   const vbgpd::CompileOptions& o = s->options();
   const auto bytes =
@@ -48,5 +49,8 @@ int main(int argc, char** argv) {
   using namespace vbgpd;
   write_checkpoint(corpus / "checkpoint" / "block", test::block(test::soil("elastic", 0, 0), 4, 4, 2), false);
   write_checkpoint(corpus / "checkpoint" / "slope", test::slope(test::soil("mohr_coulomb", 1e3, 20), 5), true);
+  SceneDef sliding = test::slope(test::soil("mohr_coulomb", 1e3, 20), 5);
+  sliding.boundaries[0].friction_angle = 10;
+  write_checkpoint(corpus / "checkpoint" / "runout", sliding, true, true);
   return 0;
 }

@@ -40,13 +40,25 @@ TEST(RunoutColumn, EnergyResidualFallsWithTheTimeStep) {
   EXPECT_LT(residual(0.1), 0.7 * residual(0.3));
 }
 
-TEST(RunoutColumn, IsTheSameForAnyNumberOfThreads) {
+TEST(RunoutColumn, IsTheSameForAnyNumberOfThreadsAndAfterARestoreInTheMiddleOfTheSlide) {
+  StateImage middle;
   std::uint64_t hash = 0;
   for (const int threads : {1, 2, 3}) {
     const auto s = runout(bar_column(20), threads);
     s->step(1200, nullptr);
     EXPECT_GT(s->get("neighbour_searches"), 2);
+    if (threads == 1) middle = s->image();
+    EXPECT_EQ(s->state_hash(), middle.hash) << threads;
+    s->step(1000, nullptr);
     if (threads == 1) hash = s->state_hash();
+    EXPECT_EQ(s->state_hash(), hash) << threads;
+  }
+  for (const int threads : {1, 2, 3}) {
+    CompileOptions options;
+    options.threads = threads;
+    const auto s = Simulation::restored(bar_column(20), options, middle);
+    EXPECT_EQ(s->get("steps"), 1200);
+    s->step(1000, nullptr);
     EXPECT_EQ(s->state_hash(), hash) << threads;
   }
 }

@@ -119,6 +119,19 @@ TEST_P(EveryPairLaw, RestoredStateGoesOnWithTheSameBits) {
   EXPECT_EQ(s->state_hash(), first);
 }
 
+TEST_P(EveryPairLaw, ImageGoesOnWithTheSameBits) {
+  const auto s = body(name(), clay());
+  shake(*s, 8);
+  s->step(150, nullptr);
+  const StateImage image = s->image();
+  s->step(150, nullptr);
+  const auto again = body(name(), clay(), 3);
+  again->restore_image(image);
+  again->step(150, nullptr);
+  EXPECT_EQ(again->state_hash(), s->state_hash());
+  EXPECT_EQ(again->get("energy_residual"), s->get("energy_residual"));
+}
+
 TEST_P(EveryPairLaw, OnlyItsOwnArraysTakeBytes) {
   const auto s = body(name(), clay());
   const FlowBondLaw law = GetParam().in_runout;
@@ -251,14 +264,18 @@ TEST(RunoutPairLaws, GpdIsPlainSphWhereNothingReachesItsStrength) {
   EXPECT_EQ(field(*plain, "position"), field(*gpd, "position"));
 }
 
-TEST(RunoutPairLaws, OnlyVelocityCanBeWrittenAndOnlyFiniteOnes) {
+TEST(RunoutPairLaws, VelocitiesAndForcesCanBeWrittenAndOnlyFiniteOnes) {
   const auto s = body("sph", rubber());
   std::vector<double> v(2 * static_cast<std::size_t>(s->particle_count()), 1);
   s->write(find_field("velocity"), v);
   EXPECT_EQ(field(*s, "velocity"), v);
+  s->write(find_field("external_force"), v);
+  EXPECT_EQ(field(*s, "external_force"), v);
   v[3] = std::nan("");
   EXPECT_THROW(s->write(find_field("velocity"), v), Error);
   EXPECT_THROW(s->write(find_field("external_force"), v), Error);
+  v.resize(v.size() / 2, 0);
+  EXPECT_THROW(s->write(find_field("pore_pressure"), v), Error);
 }
 
 /// Two elastic rings of radii 3 and 4 that meet at 0.118 of the wave speed (Gray, Monaghan & Swift 2001), coarse.

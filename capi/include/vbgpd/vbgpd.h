@@ -177,7 +177,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_info_at(int32_t object_kind, in
 /* xy arrays: n points, x at p + i*stride bytes, y 8 bytes behind it; stride 16 = packed pairs. Any winding, either slope
  * direction, map-sized coordinates. Contents are copied. Values are checked as a whole by _validate and _model_create. */
 #define VBGPD_BOUNDARY_FREE 0
-#define VBGPD_BOUNDARY_FIXED 1
+#define VBGPD_BOUNDARY_FIXED 1    /* in a run-out rough, or with a "friction_angle" Coulomb friction */
 #define VBGPD_BOUNDARY_ROLLER 2   /* slides along itself, does not move across */
 #define VBGPD_BOUNDARY_VELOCITY 3 /* moves with the properties "vx", "vy" */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_create(vbgpd_context*, vbgpd_profile** out);
@@ -218,7 +218,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_issue(const vbgpd_profile*, int6
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create(vbgpd_context*, const vbgpd_profile*, vbgpd_model** out);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_destroy(vbgpd_model*);
 /* "damping" (local damping coefficient of dynamic steps, [0, 1), default 0), "strength_reduction_factor" (default 1),
- * "time_step_factor" (time step of dynamic steps over the stable one, default 0.68; above 1 they diverge),
+ * "time_step_factor" (time step of dynamic steps over the stable one, default 0.68; above 1 they diverge; not of a run-out),
  * "kh", "kv" (pseudo-static coefficients, at first those of the profile; weight acts times 1 + kv). May be set between
  * any two steps; VBGPD_E_RANGE, VBGPD_E_UNKNOWN_NAME, VBGPD_E_STATE (cannot be set). */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* name, int64_t len, double value);
@@ -317,9 +317,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_snapshot(const vbgpd_model*, void*
 /* A new model that goes on from the present state of `from` (positions, stresses, plastic strain, strength reduction factor;
  * at rest) in updated-Lagrangian form: bonds come and go with the neighbours, walls are mirrors that go on straight beyond
  * the section where nothing adjoins. `from` may be fresh, loaded by an equilibrium job, or failed by a strength reduction; it
- * is not changed. The new model has soil particles only, with the same ids. It is stepped, read and hashed like any other;
- * get_f64 also knows peak_kinetic_energy, viscous_dissipation, contact_work, yielding_area, viscosity (alpha c h, m2/s),
- * neighbour_searches. VBGPD_E_STATE: `from` is a run-out already; VBGPD_E_UNSUPPORTED: moving boundaries, other kernels. */
+ * is not changed. The new model has soil only, same ids, and is stepped, set, read, saved like any other; loads stay on their
+ * particles, pore water pushes them as at the hand-over. get_f64 also knows peak_kinetic_energy, viscous_dissipation, contact_work,
+ * yielding_area, viscosity (alpha c h, m2/s), neighbour_searches. VBGPD_E_STATE: `from` is one already; UNSUPPORTED: moving boundaries. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_runout(const vbgpd_model* from, vbgpd_model** out);
 /* Works on a run-out model. A model without stress is first brought to equilibrium under gravity without strengths (phase 1);
  * then it moves (phase 6) until its kinetic energy is below 1e-6 of its peak, or to the job's "end_time" (s of the model's
@@ -451,8 +451,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_ground_surface(const vbgpd_model*,
 
 /* Zero copy: a particle field as it is stored, padding included: component c of item i lies at data + i*stride_item +
  * c*stride_component bytes. displacement, velocity, mass, volume (double) and particle_id (int64_t, -1 = padding) can be
- * viewed, the others give VBGPD_E_UNSUPPORTED. Read only. Until the lease is released the data stay where they are and
- * calls that would change the model give VBGPD_E_LEASED. Destroying the model ends all leases. */
+ * viewed, of a run-out velocity, mass, volume, plastic_strain and particle_id; the others give VBGPD_E_UNSUPPORTED. Read only. Until
+ * release the data stay where they are and calls that would change the model give VBGPD_E_LEASED. Destroying the model ends all leases. */
 typedef struct vbgpd_view {
   uint32_t struct_size;
   int32_t type;                           /* VBGPD_TYPE_* */
@@ -492,7 +492,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_events_read(vbgpd_model*, int64_t 
  *   stress - pore_pressure. The pressure goes on into the wall particles: set them too (_points and _grid do). Where it is
  *   not 0 at the ground, the water standing there is a load of its own. Jobs count it in, on every grid.
  * external_force (N per metre run, x and y): added to weight and loads.
- * velocity (m/s): of what walls do not hold; the energy ledger books it as external work. The only one of a run-out.
+ * velocity (m/s): of what walls do not hold; the energy ledger books it as external work. A run-out takes the last two.
  * A number that is not finite gives VBGPD_E_RANGE with the particle in the error record's item. */
 /* n items in the order of the selection (NULL = all particles by id); n must be their number. strides as _read_f64. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_f64(vbgpd_model*, int32_t field, const vbgpd_selection* selection, const double* src, int64_t stride_item, int64_t stride_component, int64_t n);
@@ -520,7 +520,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_boundary_velocity(vbgpd_model*
  * run-out be made of a model with layers switched off (draw the profile of that stage). */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_layer_active(vbgpd_model*, int64_t layer_id, int32_t active);
 /* The force of a boundary on the soil, N per metre run, of total stress: on a slope at rest the reactions of all boundaries
- * balance weight, loads and forces from outside on the soil. */
+ * balance weight, loads and forces from outside on the soil. Of a run-out: that of the step to come (costs one step). */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_boundary_reaction(const vbgpd_model*, int64_t boundary_id, double* fx, double* fy);
 
 #ifdef __cplusplus

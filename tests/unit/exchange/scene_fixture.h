@@ -23,7 +23,7 @@ inline SceneDef full_scene() {
   MaterialDef clay{"soft clay", "undrained", 16000, 5e6, 0.49, 15000, 0, 0, kNone, 3750, 4};
   scene.materials = {sand, clay};
   scene.layers = {{"soft clay", {}}, {"sand", {{500000, 5800005}, {500040, 5800005}, {500000, 5800020}}}};
-  scene.boundaries = {{"floor", "base", {}, BoundaryKind::kFixed, 0, 0},
+  scene.boundaries = {{"floor", "base", {}, BoundaryKind::kFixed, 0, 0, 24},
                       {"", "left", {}, BoundaryKind::kRoller, 0, 0},
                       {"wall", "", {{1, 2}, {3, 4}, {5, 6}}, BoundaryKind::kVelocity, 0.5, -0.25},
                       {"", "right", {}, BoundaryKind::kFree, 0, 0}};

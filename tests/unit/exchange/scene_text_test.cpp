@@ -81,12 +81,14 @@ TEST(SceneText, FillsWhatIsAbsentOrNullWithDefaults) {
 
 TEST(SceneText, KnowsTheFourKindsOfBoundary) {
   const SceneDef scene = read(scene_text(
-      R"("boundaries": [{"side": "left", "kind": "free"}, {"side": "base", "kind": "fixed"},
+      R"("boundaries": [{"side": "left", "kind": "free"}, {"side": "base", "kind": "fixed", "friction_angle": 24},
          {"side": "right", "kind": "roller"},
          {"polyline": [{"x": 0, "y": 0}, {"x": 1, "y": 0}], "kind": "velocity", "vx": 0.1, "vy": -0.2}], )"));
   ASSERT_EQ(scene.boundaries.size(), 4u);
   EXPECT_EQ(scene.boundaries[0].kind, BoundaryKind::kFree);
   EXPECT_EQ(scene.boundaries[1].kind, BoundaryKind::kFixed);
+  EXPECT_EQ(scene.boundaries[1].friction_angle, 24);
+  EXPECT_TRUE(std::isnan(scene.boundaries[0].friction_angle));
   EXPECT_EQ(scene.boundaries[2].kind, BoundaryKind::kRoller);
   EXPECT_EQ(scene.boundaries[3].kind, BoundaryKind::kVelocity);
   EXPECT_EQ(scene.boundaries[3].vy, -0.2);

@@ -287,6 +287,22 @@ TEST(Validate, WarnsOfValuesWithoutEffect) {
   EXPECT_TRUE(issues_after([](SceneDef& s) { s.materials[0].tension_cutoff = 27000; }).empty());
   expect_warning("boundaries[0] 'base': vx and vy have no effect: only a boundary of kind \"velocity\" moves",
                  [](SceneDef& s) { s.boundaries[0].vx = 1; });
+  expect_warning(
+      "boundaries[0] 'base': friction_angle = 20 degrees has no effect: only on a boundary of kind \"fixed\" soil can "
+      "slide by friction",
+      [](SceneDef& s) { s.boundaries[0].kind = BoundaryKind::kRoller, s.boundaries[0].friction_angle = 20; });
+}
+
+TEST(Validate, ChecksTheFrictionOfABoundaryAndSaysWhereItActs) {
+  expect_warning(
+      "boundaries[0] 'base': friction_angle = 20 degrees acts in a run-out only: until then, and in a strength "
+      "reduction, the boundary is fixed",
+      [](SceneDef& s) { s.boundaries[0].friction_angle = 20; });
+  const auto slips = issues_after([](SceneDef& s) { s.boundaries[0].friction_angle = 0.35; });
+  ASSERT_EQ(slips.size(), 2u);
+  EXPECT_NE(slips[0].text.find("looks like radians"), std::string::npos);
+  for (const double angle : {-1.0, 90.0, kInfinity})
+    EXPECT_TRUE(has_error(issues_after([&](SceneDef& s) { s.boundaries[0].friction_angle = angle; }))) << angle;
 }
 
 TEST(Validate, WarnsOfALoadThatPullsUp) {

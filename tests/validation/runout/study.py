@@ -17,7 +17,8 @@ import numpy  # noqa: E402
 import vbgpd  # noqa: E402
 
 GRAVITY = 9.81
-Case = collections.namedtuple("Case", "name width height spacing phi cohesion density modulus seconds rough_left law")
+Case = collections.namedtuple("Case", "name width height spacing phi cohesion density modulus seconds rough_left law outline",
+                              defaults=(None,))  # outline: a slope between rollers instead of a rectangle on the left wall
 BARS = dict(phi=19.8, cohesion=0.0, density=2650, rough_left=False, law="drucker_prager")
 
 
@@ -34,19 +35,31 @@ def column(aspect):
 
 CASES = [bars("bars H/10", 10), bars("bars H/20", 20), bars("bars H/40", 40), bars("bars H/20, E x 7", 20, 5.88e6),
          column(0.5), column(1), column(2), column(4),
-         Case("vertical cut 10 m, c 5 kPa, phi 25", 10, 10, 0.5, 25.0, 5e3, 1998, 1e7, 20, False, "mohr_coulomb")]
+         Case("vertical cut 10 m, c 5 kPa, phi 25", 10, 10, 0.5, 25.0, 5e3, 1998, 1e7, 20, False, "mohr_coulomb"),
+         Case("clay slope 2:1 on 5 m of clay, c 15 kPa, phi 0", 55, 10, 0.5, 0.0, 15e3, 1998, 1e7, 40, False, "undrained",
+              ((0, 0), (55, 0), (55, 5), (35, 5), (15, 15), (0, 15)))]
+
+
+def outline_of(case):
+    w, h = case.width, case.height
+    return case.outline or ((0, 0), (w, 0), (w, h), (0, h))
+
+
+def area_of(corners):
+    return sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(corners, corners[1:] + corners[:1])) / 2
 
 
 def model_of(context, case):
     with vbgpd.Profile(context) as profile:
-        w, h = case.width, case.height
-        profile.set_exterior([(0, 0), (w, 0), (w, h), (0, h)])
+        profile.set_exterior(outline_of(case))
         soil = profile.add_material("soil", law=case.law, unit_weight=case.density * GRAVITY,
                                     young_modulus=case.modulus, poisson_ratio=0.3, cohesion=case.cohesion,
                                     friction_angle=case.phi)
         profile.add_layer(soil)
         profile.add_boundary(vbgpd.Boundary.FIXED, side="base")
         profile.add_boundary(vbgpd.Boundary.ROLLER, side="left")
+        if case.outline:
+            profile.add_boundary(vbgpd.Boundary.ROLLER, side="right")
         profile.set("spacing", case.spacing)
         with vbgpd.Model(context, profile) as at_rest:
             return vbgpd.Model.runout_of(at_rest)
@@ -103,7 +116,7 @@ def run(case, library):
         least = min(distance.min() for _, distance in neighbours(x, 1.6 * dx) if len(distance))
         external = model.get("external_work")
         cells = [case.name, f"{len(x)}", f"{x[mass, 0].max() + dx / 2:.4g}", f"{numpy.quantile(x[:, 0], 0.995):.4g}",
-                 f"{ground[0, 1]:.4g}", f"{ground[:, 1].sum() * dx / (case.width * case.height):.3f}",
+                 f"{ground[0, 1]:.4g}", f"{ground[:, 1].sum() * dx / area_of(outline_of(case)):.3f}",
                  f"{(~mass).sum()}", f"{least / dx:.2f}",
                  f"{noise_of(x, stress[:, 1], 2.6 * dx, case.density * GRAVITY * case.height):.4f}",
                  f"{model.get('kinetic_energy') / model.get('peak_kinetic_energy'):.0e}",
