@@ -25,7 +25,7 @@ static const char* hex(double value) {
 
 /* Rotate and exclusive or, over n words of 64 bits. */
 static uint64_t checksum(const void* words, int64_t n) {
-  const unsigned char* at = words;
+  const unsigned char* at = (const unsigned char*)words;
   uint64_t sum = 0, word;
   int64_t i;
   for (i = 0; i < n; ++i) {
@@ -45,7 +45,7 @@ typedef vbgpd_status(VBGPD_CALL* context_reader)(const vbgpd_context*, vbgpd_err
 static void say_failure(vbgpd_status s, context_reader reader, const void* object) {
   vbgpd_error_info info = {.struct_size = sizeof info};
   char text[SIZE] = "";
-  reader(object, &info, text, sizeof text, NULL);
+  reader((const vbgpd_context*)object, &info, text, sizeof text, NULL);
   printf("argument %d of ", info.argument);
   say_info("failure", s, &info, text);
 }
@@ -209,8 +209,8 @@ static void step_fields(vbgpd_model* model) {
     vbgpd_field_info f = {.struct_size = sizeof f};
     vbgpd_field_info_at(i, &f);
     vbgpd_model_item_count(model, f.location, &items);
-    whole = malloc((size_t)(items * f.components) * 8);
-    real = malloc((size_t)(items * f.components) * 8);
+    whole = (int64_t*)malloc((size_t)(items * f.components) * 8);
+    real = (double*)malloc((size_t)(items * f.components) * 8);
     if (f.type == VBGPD_TYPE_I64) s = vbgpd_model_read_i64(model, (int32_t)i, whole, 0, 0, items, &n);
     else s = vbgpd_model_read_f64(model, (int32_t)i, real, 0, 0, items, &n);
     printf("17 %s %d %" PRId64 " %016" PRIX64 "\n", f.name, s, n,
@@ -221,13 +221,13 @@ static void step_fields(vbgpd_model* model) {
   /* Every second row of six columns, stress in columns 1 to 4 backwards; the rest keeps its 7. */
   vbgpd_field_find("stress", 6, &stress);
   vbgpd_model_item_count(model, VBGPD_AT_PARTICLE, &items);
-  real = malloc((size_t)(items * 12) * 8);
+  real = (double*)malloc((size_t)(items * 12) * 8);
   for (k = 0; k < items * 12; ++k) real[k] = 7;
   s = vbgpd_model_read_f64(model, stress, real + 4, 96, -8, items, &n);
   printf("18 strided stress %d %" PRId64 " %016" PRIX64 "\n", s, n, checksum(real, items * 12));
   free(real);
   vbgpd_field_find("volume", 6, &volume);
-  whole = malloc((size_t)items * 8);
+  whole = (int64_t*)malloc((size_t)items * 8);
   printf("19 whole numbers of a real field: ");
   MODEL_FAILED(vbgpd_model_read_i64(model, volume, whole, 0, 0, items, NULL));
   free(whole);
@@ -433,7 +433,7 @@ static void step_checkpoint(vbgpd_context* context, vbgpd_profile* profile, vbgp
   char* bytes;
   vbgpd_status s;
   vbgpd_model_checkpoint(model, NULL, 0, &size);
-  bytes = malloc((size_t)size);
+  bytes = (char*)malloc((size_t)size);
   s = vbgpd_model_checkpoint(model, bytes, size, &size);
   printf("33 checkpoint %d %" PRId64, s, size);
   s = vbgpd_model_create_from_checkpoint(context, bytes, size, &other);
@@ -479,7 +479,7 @@ static void step_log(vbgpd_context* context, vbgpd_model* model) {
   char* bytes;
   vbgpd_status s[3];
   vbgpd_model_checkpoint(model, NULL, 0, &size);
-  bytes = malloc((size_t)size);
+  bytes = (char*)malloc((size_t)size);
   vbgpd_model_checkpoint(model, bytes, size, &size);
   s[0] = vbgpd_context_set_log(context, hear, &lines, VBGPD_LOG_INFO);
   s[1] = vbgpd_model_create_from_checkpoint(context, bytes, size, &other);
@@ -547,7 +547,10 @@ int main(void) {
   s = vbgpd_context_destroy(context);
   t = vbgpd_model_destroy(model);
   printf("35 destroyed %d %d, job still has", s, t);
-  say_job_numbers(job, (const char* const[]){"factor_of_safety"}, 1);
+  {
+    const char* const left[] = {"factor_of_safety"};
+    say_job_numbers(job, left, 1);
+  }
   printf(" %d\n", vbgpd_job_destroy(job));
   return 0;
 }

@@ -1,0 +1,2 @@
+// The same transcript by a C++ compiler.
+#include "transcript.c"
