@@ -71,7 +71,7 @@ constexpr std::array kEntries = {
     entry(&BoundaryDef::vx, kBoundary, "vx", "m s-1", 0, kAny, "Velocity to the right, kind velocity."),
     entry(&BoundaryDef::vy, kBoundary, "vy", "m s-1", 0, kAny, "Velocity upwards, kind velocity."),
     entry(&BoundaryDef::friction_angle, kBoundary, "friction_angle", "degree", kNone, kAngle,
-          "Coulomb friction of a fixed boundary in a run-out; absent = rough: the soil's own strength."),
+          "Coulomb friction of a fixed boundary in a run-out; absent = rough: no slip."),
 
     entry(&SceneDef::kh, kScene, "kh", "1", 0, kCoefficient,
           "Horizontal pseudo-static coefficient: body force kh * unit weight towards +x."),

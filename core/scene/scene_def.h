@@ -43,7 +43,7 @@ struct BoundaryDef {
   Polygon polyline;  ///< points along the exterior, >= 2
   BoundaryKind kind = BoundaryKind::kFixed;
   double vx = 0, vy = 0;  ///< m/s, kVelocity only
-  /// Degrees, kFixed only: in a run-out the soil slides on it by Coulomb friction; absent = rough, by its own strength.
+  /// Degrees, kFixed only: in a run-out the soil slides on it by Coulomb friction; absent = rough: no slip.
   double friction_angle = kNone;
 };
 

@@ -1,23 +1,11 @@
 // Steps of a run-out: so many, to an exact time, or damped ones before the release.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "simulation/flow_simulation.h"
 #include "simulation/march.h"
 
 namespace vbgpd {
-
-StepReport FlowSimulation::step(std::int64_t steps, const std::atomic<bool>* cancel) {
-  return march({steps, std::numeric_limits<Real>::infinity()}, [&] {
-    return cancel != nullptr && cancel->load(std::memory_order_relaxed) ? Status::kCancelled : Status::kOk;
-  });
-}
-
-StepReport FlowSimulation::advance_to(double time, const StepWatch& watch) {
-  require_ahead(time, time_);
-  return march({std::numeric_limits<std::int64_t>::max(), time}, watch);
-}
 
 StepReport FlowSimulation::march(const Goal& goal, const StepWatch& watch) {
   StepReport report;

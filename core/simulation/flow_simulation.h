@@ -19,7 +19,6 @@ class FlowSimulation final : public Simulation {
   std::int64_t particle_count() const override { return model_.particles; }  ///< soil only: walls are mirrors
   std::int64_t bond_count() const override;
   bool runs_out() const override { return true; }
-  StepReport step(std::int64_t steps, const std::atomic<bool>* cancel) override;
   Monitors monitors() const override;
   /// Steps with local damping (0.7 unless given), with or without strengths: the gravity state before the release.
   RelaxReport relax(std::int64_t steps, const RelaxOptions& options) override;
@@ -34,7 +33,6 @@ class FlowSimulation final : public Simulation {
   void read(int field, std::vector<std::int64_t>& out) const override;
   std::uint64_t state_hash() const override { return state_.hash(); }
   Memory memory() const override;
-  StepReport advance_to(double time, const StepWatch& watch) override;
   /// velocity (whoever pushes does the work) and external_force.
   void write(int field, const std::vector<double>& rows) override;
   const Drive& drive() const override { return drive_; }
@@ -62,12 +60,7 @@ class FlowSimulation final : public Simulation {
     bool open = false;
   };
   struct Saved;
-  /// Where a run of steps ends: after so many, or exactly at a time.
-  struct Goal {
-    std::int64_t steps;
-    Real time;
-  };
-  StepReport march(const Goal& goal, const StepWatch& watch);
+  StepReport march(const Goal& goal, const StepWatch& watch) override;
   FlowData data(FlowState& state) const;
   FlowControls controls() const;
   void set_factor(Real factor);

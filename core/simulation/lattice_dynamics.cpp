@@ -1,23 +1,11 @@
 // Dynamic steps of a lattice simulation: so many, or to an exact time.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "simulation/lattice_simulation.h"
 #include "simulation/march.h"
 
 namespace vbgpd {
-
-StepReport LatticeSimulation::step(std::int64_t steps, const std::atomic<bool>* cancel) {
-  return march({steps, std::numeric_limits<Real>::infinity()}, [&] {
-    return cancel != nullptr && cancel->load(std::memory_order_relaxed) ? Status::kCancelled : Status::kOk;
-  });
-}
-
-StepReport LatticeSimulation::advance_to(double time, const StepWatch& watch) {
-  require_ahead(time, time_);
-  return march({std::numeric_limits<std::int64_t>::max(), time}, watch);
-}
 
 StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
   StepReport report;

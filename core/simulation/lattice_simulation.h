@@ -20,7 +20,6 @@ class LatticeSimulation final : public Simulation {
   const Section& section() const override { return section_; }
   std::int64_t particle_count() const override { return model_.particles; }
   std::int64_t bond_count() const override { return model_.bonds; }
-  StepReport step(std::int64_t steps, const std::atomic<bool>* cancel) override;
   Monitors monitors() const override;
   RelaxReport relax(std::int64_t steps, const RelaxOptions& options) override;
   void halt() override;
@@ -35,7 +34,6 @@ class LatticeSimulation final : public Simulation {
   std::uint64_t state_hash() const override { return hash_of(state_, layers_); }
   std::vector<Feature> plan() const override;
   Memory memory() const override;
-  StepReport advance_to(double time, const StepWatch& watch) override;
   void write(int field, const std::vector<double>& rows) override;
   const Drive& drive() const override { return drive_; }
   void set_drive(const Drive& drive) override;
@@ -84,15 +82,10 @@ class LatticeSimulation final : public Simulation {
   /// that soil was placed in.
   Stage stage(const Layers& layers, bool placed, const Drive& drive, const Outside& outside, Real factor) const;
   void exchange(Stage& stage) noexcept;
-  /// Where a run of dynamic steps ends: after so many, or exactly at a time.
-  struct Goal {
-    std::int64_t steps;
-    Real time;
-  };
   static std::uint64_t hash_of(const State& state, const Layers& layers);
   /// Forces of a drive and from outside on a model.
   void load(const Drive& drive, const Outside& outside, const Section& section, Model& model) const;
-  StepReport march(const Goal& goal, const StepWatch& watch);
+  StepReport march(const Goal& goal, const StepWatch& watch) override;
   /// Forces of a drive and from outside, anew; when memory runs out, as before.
   void take_forces(Drive drive, Outside outside);
   void write_velocity(const std::vector<double>& rows);

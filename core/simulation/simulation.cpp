@@ -1,5 +1,9 @@
-// What a kind of simulation says to a request it has no answer for.
+// What all kinds of simulation do alike, and what one says to a request it has no answer for.
 #include "simulation/simulation.h"
+
+#include <limits>
+
+#include "simulation/march.h"
 
 namespace vbgpd {
 
@@ -11,7 +15,17 @@ namespace {
 
 }  // namespace
 
-StepReport Simulation::advance_to(double, const StepWatch&) { unsupported("advance to an exact time"); }
+StepReport Simulation::step(std::int64_t steps, const std::atomic<bool>* cancel) {
+  return march({steps, std::numeric_limits<Real>::infinity()}, [&] {
+    return cancel != nullptr && cancel->load(std::memory_order_relaxed) ? Status::kCancelled : Status::kOk;
+  });
+}
+
+StepReport Simulation::advance_to(double time, const StepWatch& watch) {
+  require_ahead(time, get("time"));
+  return march({std::numeric_limits<std::int64_t>::max(), time}, watch);
+}
+
 void Simulation::write(int, const std::vector<double>&) { unsupported("take over fields from outside"); }
 const Drive& Simulation::drive() const { unsupported("tell what drives it"); }
 void Simulation::set_drive(const Drive&) { unsupported("change loads while it runs"); }

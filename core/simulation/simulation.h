@@ -138,7 +138,9 @@ class Simulation {
   virtual bool runs_out() const { return false; }  ///< updated-Lagrangian: bonds come and go, no factor of safety
 
   /// Dynamic steps with true masses at the stable time step; `cancel` may be null.
-  virtual StepReport step(std::int64_t steps, const std::atomic<bool>* cancel) = 0;
+  StepReport step(std::int64_t steps, const std::atomic<bool>* cancel);
+  /// Dynamic steps of equal length that end exactly at `time`, however often the watch interrupts them.
+  StepReport advance_to(double time, const StepWatch& watch);
   virtual Monitors monitors() const = 0;
 
   /// Quasi-static steps; velocities are pseudo-velocities meanwhile. `halt` drops them and the momentum.
@@ -165,8 +167,6 @@ class Simulation {
 
   // Coupling; a kind of simulation that cannot do one of these throws Error(kUnsupported).
 
-  /// Dynamic steps of equal length that end exactly at `time`, however often the watch interrupts them.
-  virtual StepReport advance_to(double time, const StepWatch& watch);
   /// All items of a writable field, packed rows by particle id. Forces and pressures stay until written again.
   virtual void write(int field, const std::vector<double>& rows);
   virtual const Drive& drive() const;
@@ -186,6 +186,14 @@ class Simulation {
   /// anything.
   virtual StateImage image() const;
   virtual void restore_image(const StateImage& image);
+
+ protected:
+  /// Where a run of dynamic steps ends: after so many, or exactly at a time.
+  struct Goal {
+    std::int64_t steps;
+    Real time;
+  };
+  virtual StepReport march(const Goal& goal, const StepWatch& watch) = 0;
 };
 
 }  // namespace vbgpd

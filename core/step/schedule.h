@@ -108,15 +108,11 @@ void in_waves(Workers& workers, int chunks, int shares, const P& passes) {
     const auto at = [&](Pass pass, int k) {
       if (k < first || k >= last) return;
       const bool lowest = k == first, highest = k == last - 1;
-      const bool odd = pass == kBonds && k % 2 == 1;
-      if (lowest && n > 0 && pass > kWeigh) {
-        high[n - 1].await(static_cast<Pass>(pass - 1));
-        if (odd) high[n - 1].await(kBonds);
-      }
-      if (highest && n + 1 < shares && pass > kWeigh) {
-        low[n + 1].await(pass == kFlux ? kGradient : static_cast<Pass>(pass - 1));
-        if (odd) low[n + 1].await(kBonds);
-      }
+      const Pass before = static_cast<Pass>(pass - 1);
+      if (lowest && n > 0 && pass > kWeigh) high[n - 1].await(before);
+      // A highest chunk is odd: its bonds come after those of the even one above, its flux waits for nothing new.
+      if (highest && n + 1 < shares && pass > kWeigh && pass != kFlux) low[n + 1].await(before);
+      if (highest && n + 1 < shares && pass == kBonds) low[n + 1].await(kBonds);
       passes.run(pass, k);
       if (lowest) low[n].done[pass].store(true, std::memory_order_release);
       if (highest) high[n].done[pass].store(true, std::memory_order_release);

@@ -1,23 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <set>
-#include <tuple>
-
 #include "sections.h"
 
 namespace vbgpd::geometry_test {
 namespace {
-
-using Cells = std::tuple<Index, Index, Index, Index>;
-
-std::set<Cells> cut_cells(const Section& section) {
-  std::set<Cells> result;
-  for (const CutPair& pair : section.cut_pairs) {
-    const Seed &a = section.seeds[pair.a], &b = section.seeds[pair.b];
-    result.insert({a.ix, a.iy, b.ix, b.iy});
-  }
-  return result;
-}
 
 TEST(CutPairs, PlainFacesHaveNone) {
   EXPECT_TRUE(cut(scene_of(slope()), 0.5).cut_pairs.empty());
@@ -30,12 +16,12 @@ TEST(CutPairs, PlainFacesHaveNone) {
 
 TEST(CutPairs, VerticalToeCutsThePairsAcrossItsCorner) {
   // Spacing 1, toe at (10, 5): floor cells (8, 4) and (9, 3) ... against face cells (10, 5), (10, 6).
-  const std::set<Cells> expected = {{8, 4, 10, 5}, {9, 4, 10, 6}};
+  const std::set<CellPair> expected = {{8, 4, 10, 5}, {9, 4, 10, 6}};
   EXPECT_EQ(cut_cells(cut(scene_of(vertical_cut()), 1.0)), expected);
 }
 
 TEST(CutPairs, DoNotDependOnSizeOrPlace) {
-  const std::set<Cells> here = cut_cells(cut(scene_of(overhang()), 0.5));
+  const std::set<CellPair> here = cut_cells(cut(scene_of(overhang()), 0.5));
   EXPECT_FALSE(here.empty());
   EXPECT_EQ(cut_cells(cut(scene_of(moved(overhang(), 5e5, 4e6)), 0.5)), here);
   EXPECT_EQ(cut_cells(cut(scene_of(scaled(overhang(), 1e-3)), 0.5e-3)), here);
@@ -47,7 +33,7 @@ TEST(CutPairs, NoBondCrossesANarrowTrench) {
   Lattice lattice;
   lattice.spacing = Vec2(1, 1);
   const Section section = discretise(scene_of(polygon), lattice, 3, 0);
-  const std::set<Cells> pairs = cut_cells(section);
+  const std::set<CellPair> pairs = cut_cells(section);
   EXPECT_TRUE(pairs.count({4, 8, 6, 8}));
   EXPECT_TRUE(pairs.count({4, 6, 6, 7}));
   EXPECT_FALSE(pairs.count({4, 2, 6, 2}));

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "geometry/section.h"
 
@@ -55,6 +57,18 @@ inline Polygon scaled(Polygon polygon, double factor) {
 inline Polygon reversed(Polygon polygon) {
   std::reverse(polygon.begin(), polygon.end());
   return polygon;
+}
+
+using CellPair = std::tuple<Index, Index, Index, Index>;
+
+/// The cut pairs by the lattice cells of both ends.
+inline std::set<CellPair> cut_cells(const Section& section) {
+  std::set<CellPair> result;
+  for (const CutPair& pair : section.cut_pairs) {
+    const Seed &a = section.seeds[pair.a], &b = section.seeds[pair.b];
+    result.insert({a.ix, a.iy, b.ix, b.iy});
+  }
+  return result;
 }
 
 inline double soil_volume(const Section& section) {

@@ -27,16 +27,6 @@ std::set<Cell> cells(const Section& section) {
   return all;
 }
 
-using Pair = std::tuple<Index, Index, Index, Index>;
-std::set<Pair> pairs(const Section& section) {
-  std::set<Pair> all;
-  for (const CutPair& p : section.cut_pairs) {
-    const Seed &a = section.seeds[p.a], &b = section.seeds[p.b];
-    all.insert({a.ix, a.iy, b.ix, b.iy});
-  }
-  return all;
-}
-
 void expect_same(const std::vector<Point>& a, const std::vector<Point>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -52,7 +42,7 @@ TEST(Stages, WithoutALayerAreTheSectionDrawnWithoutIt) {
   ASSERT_EQ(dug.lattice.spacing, drawn.lattice.spacing);
   keep_layers(scene, {true, false}, dug);
   EXPECT_EQ(cells(dug), cells(drawn));
-  EXPECT_EQ(pairs(dug), pairs(drawn));
+  EXPECT_EQ(cut_cells(dug), cut_cells(drawn));
   expect_same(dug.ground, drawn.ground);
   EXPECT_NEAR(dug.area, drawn.area, 1e-9);
   EXPECT_NEAR(dug.height, drawn.height, 1e-9);
@@ -66,7 +56,7 @@ TEST(Stages, WithAllLayersAreTheSectionAsItWas) {
   EXPECT_LT(cells(after).size(), cells(before).size());
   keep_layers(scene, {true, true}, after);
   EXPECT_EQ(cells(after), cells(before));
-  EXPECT_EQ(pairs(after), pairs(before));
+  EXPECT_EQ(cut_cells(after), cut_cells(before));
   expect_same(after.ground, before.ground);
   EXPECT_EQ(after.area, before.area);
   EXPECT_EQ(after.height, before.height);
@@ -78,8 +68,8 @@ TEST(Stages, CutPairsAcrossATrench) {
   Section section = cut(scene, 1, 1);
   EXPECT_TRUE(section.cut_pairs.empty());
   keep_layers(scene, {true, false}, section);
-  EXPECT_TRUE(pairs(section).count({8, 7, 10, 7}));  // two cells on either side of the trench
-  EXPECT_FALSE(pairs(section).count({8, 2, 10, 2}));
+  EXPECT_TRUE(cut_cells(section).count({8, 7, 10, 7}));  // two cells on either side of the trench
+  EXPECT_FALSE(cut_cells(section).count({8, 2, 10, 2}));
 }
 
 TEST(Stages, FollowInclinedLayersExactly) {
