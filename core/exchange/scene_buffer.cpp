@@ -63,6 +63,7 @@ class Reader {
       take(numerics->bond(), "numerics.bond", scene.bond);
       take(numerics->kernel(), "numerics.kernel", scene.kernel);
       take(numerics->smoothing_ratio(), scene.smoothing_ratio);
+      take(numerics->jitter(), scene.jitter);
     }
     if (const auto* search = from.strength_reduction()) {
       take(search->srf_min(), scene.strength_reduction.srf_min);
@@ -191,7 +192,7 @@ class Writer {
     const auto published = each<schema::PublishedValue>(scene.published);
     const auto seismic = schema::CreateSeismic(out_, scene.kh, scene.kv);
     const auto bond = text(scene.bond), kernel = text(scene.kernel);
-    const auto numerics = schema::CreateNumerics(out_, bond, kernel, scene.smoothing_ratio);
+    const auto numerics = schema::CreateNumerics(out_, bond, kernel, scene.smoothing_ratio, scene.jitter);
     const auto& search = scene.strength_reduction;
     const auto reduction = schema::CreateStrengthReduction(out_, search.srf_min, search.srf_max, search.tolerance);
     const auto root =

@@ -9,7 +9,6 @@ namespace {
 
 constexpr Real kAir = 0.25;  // of the smaller spacing: a shorter piece outside is no gap
 constexpr Real kSoil = 0.1;  // of the smaller spacing: less soil than this at an end only grazes
-constexpr Index kNear = 3;   // cells: longer than any pair
 
 // Where along p-q (0..1) the segment a-b meets it.
 std::optional<Real> crossing(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) {
@@ -24,8 +23,16 @@ std::optional<Real> crossing(const Vec2& p, const Vec2& q, const Vec2& a, const 
 class AirFinder {
  public:
   AirFinder(const Vertices& exterior, const std::vector<HeldEdge>& held, const std::vector<Seed>& seeds,
-            const Vec2& spacing)
-      : exterior_(exterior), held_(held), seeds_(seeds), index_(seeds), spacing_(spacing), h_(spacing.minCoeff()) {}
+            const Vertices& places, const Vec2& spacing, Real support)
+      : exterior_(exterior),
+        held_(held),
+        seeds_(seeds),
+        places_(places),
+        index_(seeds),
+        spacing_(spacing),
+        h_(spacing.minCoeff()),
+        support_(support),
+        reach_(static_cast<Index>(std::ceil(support + 2 * farthest(seeds, places, spacing)))) {}
 
   std::vector<CutPair> run() {
     collect_near();
@@ -43,10 +50,18 @@ class AirFinder {
   using Near = std::pair<Index, Index>;  // seed, edge of the exterior
 
   const Vec2& vertex(std::size_t i) const { return exterior_[i % exterior_.size()]; }
-  Vec2 center(const Seed& s) const { return {(s.ix + 0.5) * spacing_.x(), (s.iy + 0.5) * spacing_.y()}; }
+  // How far, in spacings, particles are from the centres of their cells.
+  static Real farthest(const std::vector<Seed>& seeds, const Vertices& places, const Vec2& spacing) {
+    Real most = 0;
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+      const Vec2 center(seeds[k].ix + 0.5, seeds[k].iy + 0.5);
+      most = std::max(most, (places[k].cwiseQuotient(spacing) - center).cwiseAbs().maxCoeff());
+    }
+    return most > 1e-9 ? most : 0;
+  }
   Index cell(Real at, int axis) const { return static_cast<Index>(std::floor(at / spacing_[axis])); }
 
-  // Seeds within kNear cells of each edge: cells along its longer axis (in cells), with room for the slant.
+  // Seeds within reach of each edge: cells along its longer axis (in cells), with room for the slant.
   void collect_near() {
     for (std::size_t e = 0; e < exterior_.size(); ++e) {
       const Vec2 &a = vertex(e), &b = vertex(e + 1);
@@ -55,10 +70,10 @@ class AirFinder {
       if (!(cells[axis] > 0)) continue;
       const Real slope = (b[other] - a[other]) / (b[axis] - a[axis]);
       const Real low = std::min(a[axis], b[axis]), high = std::max(a[axis], b[axis]);
-      for (Index i = cell(low, axis) - kNear; i <= cell(high, axis) + kNear; ++i) {
+      for (Index i = cell(low, axis) - reach_; i <= cell(high, axis) + reach_; ++i) {
         const Real at = std::clamp((i + 0.5) * spacing_[axis], low, high);
         const Index middle = cell(a[other] + slope * (at - a[axis]), other);
-        for (Index j = middle - kNear - 1; j <= middle + kNear + 1; ++j) {
+        for (Index j = middle - reach_ - 1; j <= middle + reach_ + 1; ++j) {
           const Index seed = axis == 0 ? index_.find(i, j) : index_.find(j, i);
           if (seed >= 0) near_.emplace_back(seed, static_cast<Index>(e));
         }
@@ -70,12 +85,13 @@ class AirFinder {
 
   void test_seed(Index i, std::size_t begin, std::size_t end, std::vector<CutPair>& result) {
     const Seed& seed = seeds_[i];
-    for (Index dx = 0; dx <= 2; ++dx)
-      for (Index dy = dx == 0 ? 1 : -2; dy <= 2; ++dy) {
-        if (dx * dx + dy * dy > 6) continue;  // 2.6^2 = 6.76
+    for (Index dx = 0; dx <= reach_; ++dx)
+      for (Index dy = dx == 0 ? 1 : -reach_; dy <= reach_; ++dy) {
         const Index j = index_.find(seed.ix + dx, seed.iy + dy);
         if (j < 0 || (seed.hold != Hold::kFree && seeds_[j].hold != Hold::kFree)) continue;
-        if (through_air(center(seed), center(seeds_[j]), begin, end)) result.push_back({i, j});
+        const Vec2 &p = places_[i], &q = places_[j];
+        if (!((q - p).cwiseQuotient(spacing_).squaredNorm() < support_ * support_)) continue;
+        if (through_air(p, q, begin, end)) result.push_back({i, j});
       }
   }
 
@@ -105,9 +121,11 @@ class AirFinder {
   const Vertices& exterior_;
   const std::vector<HeldEdge>& held_;
   const std::vector<Seed>& seeds_;
+  const Vertices& places_;
   CellIndex index_;
   Vec2 spacing_;
-  Real h_;
+  Real h_, support_;
+  Index reach_;  // cells: longer than any pair
   std::vector<Near> near_;
   std::vector<Real> at_;
 };
@@ -115,9 +133,10 @@ class AirFinder {
 }  // namespace
 
 std::vector<CutPair> cut_pairs(const Vertices& exterior, const std::vector<HeldEdge>& held,
-                               const std::vector<Seed>& seeds, const Vec2& spacing) {
+                               const std::vector<Seed>& seeds, const Vertices& places, const Vec2& spacing,
+                               Real support) {
   if (is_convex(exterior)) return {};
-  return AirFinder(exterior, held, seeds, spacing).run();
+  return AirFinder(exterior, held, seeds, places, spacing, support).run();
 }
 
 }  // namespace vbgpd

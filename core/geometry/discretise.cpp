@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "geometry/format.h"
+#include "geometry/jitter.h"
 #include "geometry/section.h"
 #include "geometry/soil.h"
 #include "geometry/stages.h"
@@ -67,6 +68,7 @@ Section discretise(const SceneDef& scene, const Lattice& lattice, int reach, std
   section.seeds = merged(soil.seeds, wall_seeds(held, exterior, soil.seeds, lattice.spacing, reach));
   check_count(section.seeds.size(), max_particles);
   for (Seed& seed : section.seeds) seed.centroid += lattice.origin;
+  jitter(scene.jitter, section);
   keep_layers(scene, {}, section);
   return section;
 }

@@ -11,14 +11,15 @@
 namespace vbgpd {
 
 /// A uniform lattice of cells. Cell (ix, iy) spans origin + spacing * [ix, ix+1] x [iy, iy+1]; its particle sits in the
-/// centre.
+/// centre, or near it (Section::shifts).
 struct Lattice {
   Vec2 origin =
       Vec2::Zero();  ///< scene coordinates of the lower left corner of cell (0, 0) = lower left of the profile's box, m
   Vec2 spacing = Vec2::Zero();  ///< m; x and y may differ by a few per cent so that key lines fall on cell edges
   Vec2 misfit =
       Vec2::Zero();  ///< largest distance of a key line from a cell edge of the coarsest grid, in its spacings
-  Vec2 center(Index ix, Index iy) const { return origin + Vec2((ix + 0.5) * spacing.x(), (iy + 0.5) * spacing.y()); }
+  Vec2 local_center(Index ix, Index iy) const { return {(ix + 0.5) * spacing.x(), (iy + 0.5) * spacing.y()}; }
+  Vec2 center(Index ix, Index iy) const { return origin + local_center(ix, iy); }
 };
 
 /// What holds a wall particle.
@@ -45,12 +46,19 @@ struct CutPair {
 struct Section {
   Lattice lattice;
   std::vector<Seed> seeds;              ///< sorted by (ix, iy), each cell at most once
+  std::vector<Vec2> shifts;             ///< of the seeds' particles out of their cells' centres, m; empty = none
   std::vector<CutPair> cut_pairs;       ///< sorted
   Polygon exterior;                     ///< of the soil that is there, counter-clockwise
   std::vector<Point> ground;            ///< upper chain of the exterior from left to right: the ground surface
   std::vector<BoundaryDef> boundaries;  ///< the scene's, or the defaults when it has none
   Real area = 0;                        ///< of the exterior, m2
   Real height = 0;  ///< H: crest minus toe elevation of the ground surface (section height when flat), m
+  /// Where the particle of seed k sits, from the lattice's origin.
+  Vec2 local_place(std::size_t k) const {
+    const Vec2 center = lattice.local_center(seeds[k].ix, seeds[k].iy);
+    return shifts.empty() ? center : Vec2(center + shifts[k]);
+  }
+  Vec2 place(std::size_t k) const { return lattice.origin + local_place(k); }  ///< the same, scene coordinates
 };
 
 /// A lattice close to `spacing` whose lines meet the key lines (extent, base, toe, crest, vertical faces, horizontal

@@ -120,13 +120,17 @@ Real ground_height(const std::vector<Point>& ground, const Box& box) {
 
 /// Pairs cut among the seeds that are there, by their places among all seeds.
 std::vector<CutPair> present_cut_pairs(const Vertices& exterior, const std::vector<HeldEdge>& held,
-                                       const std::vector<Seed>& seeds, const Vec2& spacing) {
+                                       const Section& section, Real support) {
   std::vector<Seed> present;
-  std::vector<Index> place;
-  for (std::size_t k = 0; k < seeds.size(); ++k)
-    if (seeds[k].active) present.push_back(seeds[k]), place.push_back(static_cast<Index>(k));
-  std::vector<CutPair> pairs = cut_pairs(exterior, held, present, spacing);
-  for (CutPair& p : pairs) p = {place[static_cast<std::size_t>(p.a)], place[static_cast<std::size_t>(p.b)]};
+  Vertices places;
+  std::vector<Index> number;
+  for (std::size_t k = 0; k < section.seeds.size(); ++k) {
+    if (!section.seeds[k].active) continue;
+    present.push_back(section.seeds[k]), places.push_back(section.local_place(k));
+    number.push_back(static_cast<Index>(k));
+  }
+  std::vector<CutPair> pairs = cut_pairs(exterior, held, present, places, section.lattice.spacing, support);
+  for (CutPair& p : pairs) p = {number[static_cast<std::size_t>(p.a)], number[static_cast<std::size_t>(p.b)]};
   return pairs;
 }
 
@@ -144,12 +148,13 @@ Index LayerMap::at(Real x, Real y) const {
 }
 
 void keep_layers(const SceneDef& scene, const Layers& layers, Section& section) {
-  const Vec2 origin = section.lattice.origin, spacing = section.lattice.spacing;
+  const Vec2 origin = section.lattice.origin;
   const Polygon outline = counter_clockwise(scene.exterior);
   const Vertices whole = local(outline, origin);
   const std::vector<HeldEdge> held = held_edges(section.boundaries, whole, origin);
+  const Real support = 2 * scene.smoothing_ratio;
   Section made;
-  made.seeds = section.seeds;
+  made.lattice = section.lattice, made.seeds = section.seeds, made.shifts = section.shifts;
   bool all = true, any = false;
   for (Seed& seed : made.seeds) {
     seed.active = has_layer(layers, seed.layer);
@@ -162,7 +167,7 @@ void keep_layers(const SceneDef& scene, const Layers& layers, Section& section) 
   if (all) {
     made.exterior = outline, made.area = signed_area(whole);
     for (std::size_t i : outline_of(whole).ground) made.ground.push_back(outline[i]);
-    made.cut_pairs = present_cut_pairs(whole, held, made.seeds, spacing);
+    made.cut_pairs = present_cut_pairs(whole, held, made, support);
   } else {
     const auto moved = [&](const Vec2& p) { return Point{p.x() + origin.x(), p.y() + origin.y()}; };
     Rims rims = Slabs(scene, layers, whole, origin).rims();
@@ -171,7 +176,7 @@ void keep_layers(const SceneDef& scene, const Layers& layers, Section& section) 
     left.insert(left.end(), rims.top.rbegin(), rims.top.rend());
     for (const Vec2& p : left) made.exterior.push_back(moved(p));
     made.exterior = counter_clockwise(made.exterior);
-    made.cut_pairs = present_cut_pairs(local(made.exterior, origin), held, made.seeds, spacing);
+    made.cut_pairs = present_cut_pairs(local(made.exterior, origin), held, made, support);
   }
   section.height = ground_height(made.ground, box_of(made.exterior));
   section.area = made.area;

@@ -82,6 +82,8 @@ constexpr std::array kEntries = {
           "Distance between particles; a twentieth of the slope height is a good start.", kRequired),
     entry(&SceneDef::smoothing_ratio, kScene, "smoothing_ratio", "1", 1.3, Range{1.1, 2, false, false},
           "Smoothing length / spacing; the support radius is twice the smoothing length."),
+    entry(&SceneDef::jitter, kScene, "jitter", "1", 0, Range{0, 0.5, false, true},
+          "Largest random shift of a particle out of the centre of its cell, in spacings; 0 = a lattice."),
     entry(&StrengthReductionDef::srf_min, kScene, "srf_min", "1", 0.1, kPositive,
           "Smallest strength reduction factor tried."),
     entry(&StrengthReductionDef::srf_max, kScene, "srf_max", "1", 20, kPositive,

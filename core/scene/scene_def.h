@@ -79,6 +79,7 @@ struct SceneDef {
   std::string bond = "virtual_bond";
   std::string kernel = "wendland_c2";  ///< wendland_c2 or cubic_spline
   double smoothing_ratio = 1.3;        ///< smoothing length / spacing; the support radius is twice the smoothing length
+  double jitter = 0;  ///< largest random shift of a particle out of the centre of its cell, in spacings; 0 = a lattice
   StrengthReductionDef strength_reduction;
   std::vector<PublishedValue> published;
 };

@@ -5,7 +5,7 @@
 
 namespace vbgpd {
 
-/// Calls f(pack, i, j, index of plastic xx) for every bond, i and j in storage order; i == j without bonds. The yy and
+/// Calls f(pack, lane, i, j, index of plastic xx) for every bond, i and j in storage order; i == j without bonds. The yy and
 /// xy of a record follow one and two pack widths behind.
 template <class F>
 void for_each_record(const Model& m, F&& f) {
@@ -15,7 +15,7 @@ void for_each_record(const Model& m, F&& f) {
       const auto i = static_cast<std::size_t>(p.i + l), j = static_cast<std::size_t>(p.j + l);
       if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
       const auto first = static_cast<std::size_t>(bonded ? p.slot * m.width : p.i);
-      f(p, i, j, 3 * first + static_cast<std::size_t>(l));
+      f(p, l, i, j, 3 * first + static_cast<std::size_t>(l));
     }
 }
 

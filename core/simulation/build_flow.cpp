@@ -102,7 +102,9 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
     m.volume[id] = seed.volume, m.mass[id] = lattice.mass[i], m.size[id] = std::sqrt(seed.volume);
     m.weight[id] = from.scene().materials[static_cast<std::size_t>(seed.material)].unit_weight * seed.volume;
     if (loaded) m.surface_area[id] = area[i];
-    m.reference_x[id] = seed.centroid.x() - m.origin.x(), m.reference_y[id] = seed.centroid.y() - m.origin.y();
+    const Vec2 at = section.shifts.empty() ? seed.centroid : Vec2(seed.centroid + section.shifts[k]);
+    const Vec2 reference = at - m.origin;
+    m.reference_x[id] = reference.x(), m.reference_y[id] = reference.y();
     m.material[id] = seed.material;
     if (m.extra_cohesion.present()) m.extra_cohesion[id] = lattice.extra_cohesion[i];
   }

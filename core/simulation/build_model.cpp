@@ -115,7 +115,7 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
     m.mass[i] = inertial * seed.volume / scene.gravity;
     if (seed.hold == Hold::kFree) soil += seed.volume, compliance += seed.volume / d.young_modulus;
     if (m.features.cohesion_gradient && d.cohesion_gradient > 0) {
-      const Real y = section.lattice.center(seed.ix, seed.iy).y();
+      const Real y = section.place(k).y();
       m.extra_cohesion[i] = d.cohesion_gradient * std::max<Real>(0, d.cohesion_datum - y);
     }
     WallMotion wall;
@@ -200,7 +200,7 @@ Model build_model(const SceneDef& scene, const Section& section, int width, cons
   build_materials(scene, spacing, mean_stress(scene, section), m);
   find_features(scene, section, m);
   const Real h = scene.smoothing_ratio * std::sqrt(section.lattice.spacing.x() * section.lattice.spacing.y());
-  build_packs(section, *kernel_by_name(scene.kernel), h, m);
+  build_packs(section, scene.jitter, *kernel_by_name(scene.kernel), h, m);
   build_masses(scene, section, m);
   apply_drive(scene, section, scene_drive(scene, section), m);
   measure_forces(m);

@@ -117,7 +117,8 @@ Vec2 LatticeSimulation::boundary_reaction(std::size_t boundary) const {
     const auto i = static_cast<std::size_t>(b.i), j = static_cast<std::size_t>(b.j);
     if (i == j || !((soil(i) && wall(j)) || (soil(j) && wall(i)))) return;
     // the pair force of VB5, B_ij s n / r
-    const Vec2 xi = section_.lattice.center(seed(j).ix, seed(j).iy) - section_.lattice.center(seed(i).ix, seed(i).iy);
+    const auto place = [&](std::size_t k) { return section_.local_place(static_cast<std::size_t>(model_.seed_of[k])); };
+    const Vec2 xi = place(j) - place(i);
     const Vec2 force =
         b.volume / xi.squaredNorm() * Vec2(b.sxx * xi.x() + b.sxy * xi.y(), b.sxy * xi.x() + b.syy * xi.y());
     if (soil(i)) sum += force;

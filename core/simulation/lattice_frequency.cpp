@@ -58,8 +58,8 @@ Real LatticeSimulation::highest_frequency(const Array& mass) const {
     StepData d = data(s, scratch_);
     d.force_x = d.force_y = zero_.data();
     d.guided_count = 0;
-    (model_.features.bond != BondLaw::kNone ? kernels_.selective : kernels_.none)(d, c, workers_, partial_.data(),
-                                                                                  sums);
+    kernels_.step(model_.features.bond != BondLaw::kNone, model_.off_lattice(), false)(d, c, workers_, partial_.data(),
+                                                                                       sums);
     Array &wx = s.velocity_x, &wy = s.velocity_y;
     if (k > 0) subtract(wx, -norm, before_x), subtract(wy, -norm, before_y);
     const Real along = -dot(wx, wy, qx, qy);

@@ -61,7 +61,7 @@ void take_plastic(const Model& m, const std::vector<StateImage::PlasticBond>& pl
   std::sort(wanted.begin(), wanted.end());
   std::size_t found = 0;
   const auto width = static_cast<std::size_t>(m.width);
-  for_each_record(m, [&](const BondPack&, std::size_t i, std::size_t j, std::size_t record) {
+  for_each_record(m, [&](const BondPack&, int, std::size_t i, std::size_t j, std::size_t record) {
     const std::int32_t a = id_at(m, i), b = id_at(m, j);
     const Entry key{std::min(a, b), std::max(a, b), nullptr};
     const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
@@ -117,7 +117,7 @@ StateImage LatticeSimulation::image() const {
   const auto list = [&](const Array& p, std::vector<StateImage::PlasticBond>& to) {
     if (!p.present()) return;
     const auto width = static_cast<std::size_t>(model_.width);
-    for_each_record(model_, [&](const BondPack&, std::size_t i, std::size_t j, std::size_t r) {
+    for_each_record(model_, [&](const BondPack&, int, std::size_t i, std::size_t j, std::size_t r) {
       if (p[r] != 0 || p[r + width] != 0 || p[r + 2 * width] != 0)
         to.push_back({id_at(model_, i), id_at(model_, j), p[r], p[r + width], p[r + 2 * width]});
     });

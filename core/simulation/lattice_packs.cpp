@@ -96,14 +96,18 @@ std::vector<LatticeOffset> spread(std::vector<LatticeOffset> rest, int width) {
   return order;
 }
 
-/// Offsets within the support 2h, forward ones (higher storage index) first, spread; then their opposites.
-std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& lattice, const AnyKernel& kernel, Real h,
-                                        Model& m) {
+/// Offsets within the support 2h, forward ones (higher storage index) first, spread; then their opposites. Particles off
+/// the lattice by up to `jitter` spacings may be nearer than their cells.
+std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& lattice, Real jitter,
+                                        const AnyKernel& kernel, Real h, Model& m) {
   const Real minor_spacing = columns.along_x() ? lattice.spacing.x() : lattice.spacing.y();
   const Real major_spacing = columns.along_x() ? lattice.spacing.y() : lattice.spacing.x();
   std::vector<LatticeOffset> forward;
-  const int reach = static_cast<int>(std::ceil(2 * h / std::min(minor_spacing, major_spacing)));
-  const auto distance = [&](LatticeOffset o) { return std::hypot(o.major * major_spacing, o.minor * minor_spacing); };
+  const int reach = static_cast<int>(std::ceil(2 * h / std::min(minor_spacing, major_spacing) + 2 * jitter));
+  const auto nearest = [&](int cells) { return std::max<Real>(0, std::abs(cells) - 2 * jitter); };
+  const auto distance = [&](LatticeOffset o) {
+    return std::hypot(nearest(o.major) * major_spacing, nearest(o.minor) * minor_spacing);
+  };
   for (int a = 0; a <= reach; ++a)
     for (int b = -reach; b <= reach; ++b)
       if ((a > 0 || b > 0) && distance({a, b}) < 2 * h * (1 - 1e-9)) forward.push_back({a, b});
@@ -115,15 +119,9 @@ std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& l
   for (LatticeOffset o : forward) all.push_back({-o.major, -o.minor});
   m.forward_offsets = static_cast<int>(forward.size());
   for (LatticeOffset o : all) {
-    Offset g;
     const Real a = o.major * major_spacing, b = o.minor * minor_spacing;
-    g.xi_x = columns.along_x() ? b : a;
-    g.xi_y = columns.along_x() ? a : b;
-    g.weight = value(kernel, std::hypot(a, b), h);
-    g.inverse_r2 = 1 / (a * a + b * b);
-    g.n_x = g.xi_x * g.inverse_r2, g.n_y = g.xi_y * g.inverse_r2;
-    g.g_x = g.weight * g.xi_x, g.g_y = g.weight * g.xi_y;
-    m.offsets.push_back(g);
+    m.offsets.push_back(
+        offset_of(columns.along_x() ? b : a, columns.along_x() ? a : b, value(kernel, std::hypot(a, b), h)));
   }
   return all;
 }
@@ -131,6 +129,7 @@ std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& l
 /// Which seeds sit where, and which pairs are cut.
 struct Occupancy {
   const Model& m;
+  Real reach;                // of a bond, m
   std::vector<CutPair> cut;  // storage indices, sorted
   bool occupied(std::int32_t i) const { return i >= 0 && i < m.storage && m.seed_of[static_cast<std::size_t>(i)] >= 0; }
   bool any(std::int32_t first) const {
@@ -139,14 +138,18 @@ struct Occupancy {
     return false;
   }
   bool joined(std::int32_t i, std::int32_t j) const {
-    if (!occupied(i) || !occupied(j)) return false;
+    if (!occupied(i) || !occupied(j) || !(m.off_lattice() ? distance(i, j) < reach : true)) return false;
     const CutPair key{std::min(i, j), std::max(i, j)};
     return !std::binary_search(cut.begin(), cut.end(), key, less);
+  }
+  Real distance(std::int32_t i, std::int32_t j) const {
+    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+    return std::hypot(m.place_x[b] - m.place_x[a], m.place_y[b] - m.place_y[a]);
   }
   static bool less(const CutPair& p, const CutPair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; }
 };
 
-Occupancy number_particles(const Section& section, const Columns& columns, Model& m) {
+Occupancy number_particles(const Section& section, const Columns& columns, Real reach, Model& m) {
   m.storage = columns.storage();
   const auto n = static_cast<std::size_t>(m.storage);
   m.seed_of.assign(n, -1);
@@ -154,6 +157,7 @@ Occupancy number_particles(const Section& section, const Columns& columns, Model
   m.storage_of.resize(section.seeds.size());
   m.id_of.resize(section.seeds.size());
   m.volume.allocate(n, 0, m.heap);
+  if (!section.shifts.empty()) m.place_x.allocate(n, 13, m.heap), m.place_y.allocate(n, 14, m.heap);
   std::int32_t id = 0;
   for (const bool soil : {true, false})
     for (std::size_t k = 0; k < section.seeds.size(); ++k)
@@ -167,9 +171,12 @@ Occupancy number_particles(const Section& section, const Columns& columns, Model
     m.seed_of[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(k);
     m.material[static_cast<std::size_t>(i)] = s.material;
     m.volume[static_cast<std::size_t>(i)] = s.volume;
+    if (!m.off_lattice()) continue;
+    const Vec2 x = section.local_place(k);
+    m.place_x[static_cast<std::size_t>(i)] = x.x(), m.place_y[static_cast<std::size_t>(i)] = x.y();
   }
   m.particles = static_cast<std::int64_t>(section.seeds.size());
-  Occupancy who{m, {}};
+  Occupancy who{m, reach, {}};
   for (const CutPair& c : section.cut_pairs) {
     const std::int32_t a = m.storage_of[static_cast<std::size_t>(c.a)], b = m.storage_of[static_cast<std::size_t>(c.b)];
     who.cut.push_back({std::min(a, b), std::max(a, b)});
@@ -246,7 +253,6 @@ void build_chunks(Model& m) {
       512;  // particles: enough for one turn of a thread, few enough for a wave of six chunks to stay in cache
   List<BondPack> packs;
   use(packs, m.heap);
-  const Occupancy who{m, {}};
   std::int32_t reach = kLeast;
   for (const BondPack& p : m.packs) reach = std::max(reach, p.j + 2 * m.width - p.i);
   std::vector<BondPack> sorted[2];
@@ -286,6 +292,24 @@ Mat2 guarded_inverse(const Mat2& moment) {
   return inverse;
 }
 
+/// omega_ij of every pair, where no two are alike.
+void build_weights(const Occupancy& who, const AnyKernel& kernel, Real h, Model& m) {
+  const auto width = static_cast<std::size_t>(m.width);
+  const auto weigh = [&](std::int32_t i, std::int32_t j, double* weights) {
+    for (int l = 0; l < m.width; ++l)
+      weights[l] = who.joined(i + l, j + l) ? value(kernel, who.distance(i + l, j + l), h) : 0;
+  };
+  m.neighbour_weight.allocate(m.neighbours.size() * width, 15, m.heap);
+  for (const Block& block : m.blocks)
+    for (auto k = static_cast<std::size_t>(block.neighbours_begin); k < static_cast<std::size_t>(block.neighbours_end);
+         ++k)
+      weigh(block.first, m.neighbours[k].j, m.neighbour_weight.data() + k * width);
+  if (m.features.bond == BondLaw::kNone) return;
+  m.bond_weight.allocate(static_cast<std::size_t>(m.slots) * width, 16, m.heap);
+  for (const BondPack& p : m.packs)
+    weigh(p.i, p.j, m.bond_weight.data() + static_cast<std::size_t>(p.slot) * width);
+}
+
 /// omega0_i, M_i (VB1) and the stiffness-proportional mass sum_j B_ij/2 (K + 4G/3).
 void build_operators(Model& m) {
   const auto n = static_cast<std::size_t>(m.storage);
@@ -302,7 +326,8 @@ void build_operators(Model& m) {
           const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
           const std::int32_t j = p.j + l;
           if (((p.lanes >> l) & 1) == 0 || m.seed_of[static_cast<std::size_t>(j)] < 0) continue;
-          f(static_cast<std::size_t>(i), static_cast<std::size_t>(j), m.offsets[p.offset]);
+          f(static_cast<std::size_t>(i), static_cast<std::size_t>(j),
+            m.offset(static_cast<std::size_t>(k), block.first, l));
         }
       }
   };
@@ -329,10 +354,10 @@ void build_operators(Model& m) {
 
 }  // namespace
 
-void build_packs(const Section& section, const AnyKernel& kernel, Real h, Model& m) {
+void build_packs(const Section& section, Real jitter, const AnyKernel& kernel, Real h, Model& m) {
   const Columns columns(section, m.width);
-  const std::vector<LatticeOffset> offsets = find_offsets(columns, section.lattice, kernel, h, m);
-  const Occupancy who = number_particles(section, columns, m);
+  const std::vector<LatticeOffset> offsets = find_offsets(columns, section.lattice, jitter, kernel, h, m);
+  const Occupancy who = number_particles(section, columns, 2 * h * (1 - 1e-9), m);
   build_blocks(columns, offsets, who, m);
   for (const Block& block : m.blocks) {
     if (m.features.bond == BondLaw::kNone) {
@@ -345,6 +370,7 @@ void build_packs(const Section& section, const AnyKernel& kernel, Real h, Model&
     }
   }
   build_chunks(m);
+  if (m.off_lattice()) build_weights(who, kernel, h, m);
   build_operators(m);
 }
 

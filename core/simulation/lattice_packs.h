@@ -7,8 +7,9 @@
 namespace vbgpd {
 
 /// Fills everything of `m` that follows from the lattice: numbering, offsets, blocks, neighbours, packs, chunks,
-/// volume, share, moments, scaled_mass. `h` is the smoothing length, m. Needs m.width, m.features and the materials'
+/// volume, share, moments, scaled_mass. `h` is the smoothing length, m, `jitter` what section.shifts were
+/// made with. Needs m.width, m.features and the materials'
 /// pair tables.
-void build_packs(const Section& section, const AnyKernel& kernel, Real h, Model& m);
+void build_packs(const Section& section, Real jitter, const AnyKernel& kernel, Real h, Model& m);
 
 }  // namespace vbgpd

@@ -78,6 +78,9 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.weighted_x = t.weighted_x.data(), d.weighted_y = t.weighted_y.data();
   d.force_x = m.force_x.data(), d.force_y = m.force_y.data(), d.free_x = m.free_x.data(), d.free_y = m.free_y.data();
   d.extra_cohesion = m.extra_cohesion.data();
+  d.place_x = m.place_x.data(), d.place_y = m.place_y.data();
+  d.neighbour_weight = m.neighbour_weight.data(), d.bond_weight = m.bond_weight.data();
+  d.least_r2 = 1e-12 * section_.lattice.spacing.prod();
   d.uses_algorithm[0] = m.features.has_algorithm[0], d.uses_algorithm[1] = m.features.has_algorithm[1];
   d.ux = s.displacement_x.data(), d.uy = s.displacement_y.data(), d.vx = s.velocity_x.data(),
   d.vy = s.velocity_y.data();
@@ -93,9 +96,7 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
 
 void LatticeSimulation::run_step(State& state, Scratch& scratch, const Controls& controls, Sums& sums) const {
   const bool bonded = model_.features.bond != BondLaw::kNone;
-  const StepFunction f = bonded ? (controls.ledger ? kernels_.selective_ledger : kernels_.selective)
-                                : (controls.ledger ? kernels_.none_ledger : kernels_.none);
-  f(data(state, scratch), controls, workers_, partial_.data(), sums);
+  kernels_.step(bonded, model_.off_lattice(), controls.ledger)(data(state, scratch), controls, workers_, partial_.data(), sums);
 }
 
 void LatticeSimulation::set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const {
@@ -241,7 +242,8 @@ void LatticeSimulation::restore(const SavedState& other) {
 
 Memory LatticeSimulation::memory() const {
   Memory m;
-  m.model = model_.bytes() + section_.seeds.capacity() * sizeof(Seed) + section_.cut_pairs.capacity() * sizeof(CutPair);
+  m.model = model_.bytes() + section_.seeds.capacity() * sizeof(Seed) + section_.shifts.capacity() * sizeof(Vec2) +
+            section_.cut_pairs.capacity() * sizeof(CutPair);
   m.state = state_.bytes();
   m.scratch = scratch_.bytes() + partial_.capacity() * sizeof(Sums);
   for (const Array* a : {&zero_, &dilation_cap_, &dynamic_mobility_x_, &dynamic_mobility_y_, &relaxing_mobility_x_,

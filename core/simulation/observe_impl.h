@@ -39,7 +39,7 @@ void for_each_bond(const Model& m, const State& s, const Scratch& scratch, const
     for (int l = 0; l < m.width; ++l) {
       const auto i = static_cast<std::size_t>(p.i + l), j = static_cast<std::size_t>(p.j + l);
       if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
-      const Offset& o = m.offsets[p.offset];
+      const Offset o = m.offset(p, l);
       LawConstants c = constants[p.pair];
       if (m.extra_cohesion.present())
         c.k += (m.extra_cohesion[i] + m.extra_cohesion[j]) / 2 * cohesion_scale * c.k_per_cohesion;

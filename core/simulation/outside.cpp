@@ -27,7 +27,7 @@ PoreFlux::PoreFlux(const Model& m, const Array& pressure) {
       const auto i = static_cast<std::size_t>(p.i + l), j = static_cast<std::size_t>(p.j + l);
       if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
       const Real bond_volume =
-          bonded ? m.offsets[p.offset].weight * (m.volume[i] * m.share[j] + m.share[i] * m.volume[j]) : m.volume[i];
+          bonded ? m.offset(p, l).weight * (m.volume[i] * m.share[j] + m.share[i] * m.volume[j]) : m.volume[i];
       const Real half = -(pressure[i] + pressure[j]) / 2 * bond_volume / 2;
       xx[i] += half, xx[j] += half;  // without bonds i == j: the whole of it
     }

@@ -47,7 +47,7 @@ void find_gradients(const Model& m, const State& s, Scratch& out) {
         const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
         const auto j = static_cast<std::size_t>(p.j + l);
         if (((p.lanes >> l) & 1) == 0 || m.seed_of[j] < 0) continue;
-        const Offset& o = m.offsets[p.offset];
+        const Offset o = m.offset(static_cast<std::size_t>(k), block.first, l);
         const Vec2 du(s.displacement_x[j] - s.displacement_x[i], s.displacement_y[j] - s.displacement_y[i]);
         sum += m.volume[j] * du * Vec2(o.g_x, o.g_y).transpose();
       }
@@ -68,14 +68,14 @@ void move_along(const Section& section, const Model& from, const Model& to, Stat
       const Seed& seed = section.seeds[k];
       if ((seed.hold == Hold::kFree ? -1 : seed.boundary) != boundary) continue;
       const auto i = static_cast<std::size_t>(from.storage_of[k]);
-      const Vec2 x = section.lattice.center(seed.ix, seed.iy);
+      const Vec2 x = section.place(k);
       if (from.seed_of[i] >= 0) places.push_back({x.x(), x.y()}), there.push_back(i);
       else if (to.seed_of[i] >= 0) placed.push_back(k);
     }
     if (places.empty()) continue;
     const Buckets buckets(places, section.lattice.spacing.maxCoeff());
     for (std::size_t k : placed) {
-      const Vec2 x = section.lattice.center(section.seeds[k].ix, section.seeds[k].iy);
+      const Vec2 x = section.place(k);
       const std::size_t like = there[buckets.nearest(places, x.x(), x.y())];
       const auto i = static_cast<std::size_t>(from.storage_of[k]);
       s.displacement_x[i] = s.displacement_x[like], s.displacement_y[i] = s.displacement_y[like];
@@ -115,18 +115,18 @@ State carried_over(const Section& section, const Model& from, const State& state
   }
   if (!to.features.plastic) return s;
   std::vector<Carried> before;
-  for_each_record(from, [&](const BondPack& p, std::size_t i, std::size_t j, std::size_t r) {
+  for_each_record(from, [&](const BondPack& p, int l, std::size_t i, std::size_t j, std::size_t r) {
     Carried c{i, j};
     c.plastic = load(state.plastic_strain, r, width), c.placed = load(state.placed_strain, r, width);
-    if (places) c.strain = deviator(observe_detail::strain(state, gradients, from.offsets[p.offset], i, j));
+    if (places) c.strain = deviator(observe_detail::strain(state, gradients, from.offset(p, l), i, j));
     if (places || c.plastic != Three{}) before.push_back(c);
   });
   std::sort(before.begin(), before.end());
-  for_each_record(to, [&](const BondPack& p, std::size_t i, std::size_t j, std::size_t r) {
+  for_each_record(to, [&](const BondPack& p, int l, std::size_t i, std::size_t j, std::size_t r) {
     Carried c{i, j};
     if (const auto at = std::lower_bound(before.begin(), before.end(), c); at != before.end() && !(c < *at)) c = *at;
     if (places) {
-      const Three now = deviator(observe_detail::strain(s, scratch, to.offsets[p.offset], i, j));
+      const Three now = deviator(observe_detail::strain(s, scratch, to.offset(p, l), i, j));
       for (std::size_t k = 0; k < 3; ++k) {
         const double shape = now[k] - c.strain[k], yielded = c.plastic[k] - c.placed[k];
         c.placed[k] += shape;

@@ -28,10 +28,9 @@ void LatticeSimulation::read_particles(int field, std::vector<double>& out) cons
   }
   out.assign(section_.seeds.size() * components, 0);
   for (std::size_t k = 0; k < section_.seeds.size(); ++k) {
-    const Seed& seed = section_.seeds[k];
     const auto i = static_cast<std::size_t>(model_.storage_of[k]);
     double* row = out.data() + static_cast<std::size_t>(model_.id_of[k]) * components;
-    const Vec2 reference = section_.lattice.center(seed.ix, seed.iy);
+    const Vec2 reference = section_.place(k);
     if (name == "position")
       row[0] = reference.x() + state_.displacement_x[i], row[1] = reference.y() + state_.displacement_y[i];
     if (name == "reference_position") row[0] = reference.x(), row[1] = reference.y();
@@ -61,9 +60,10 @@ void LatticeSimulation::read_bonds(int field, std::vector<double>& out) const {
       out.push_back(b.plastic_shear);
       return;
     }
-    const Seed& p = section_.seeds[static_cast<std::size_t>(model_.seed_of[static_cast<std::size_t>(b.i)])];
-    const Seed& q = section_.seeds[static_cast<std::size_t>(model_.seed_of[static_cast<std::size_t>(b.j)])];
-    const Vec2 n = (section_.lattice.center(q.ix, q.iy) - section_.lattice.center(p.ix, p.iy)).normalized();
+    const auto place = [&](std::int32_t i) {
+      return section_.local_place(static_cast<std::size_t>(model_.seed_of[static_cast<std::size_t>(i)]));
+    };
+    const Vec2 n = (place(b.j) - place(b.i)).normalized();
     const Real xx = b.sxx + b.mean, yy = b.syy + b.mean, c = n.x(), s = n.y();
     out.push_back(xx * c * c + yy * s * s + 2 * b.sxy * c * s);
     out.push_back(xx * s * s + yy * c * c - 2 * b.sxy * c * s);

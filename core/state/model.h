@@ -49,6 +49,10 @@ struct Model {
   Array mass;                             ///< true mass, kg
   Array scaled_mass;     ///< mass of the quasi-static relaxation, proportional to the stiffness around the particle
   Array extra_cohesion;  ///< present with a cohesion gradient: Pa above the material's cohesion
+  // present where particles are off the lattice (scene's jitter); then offsets tell who may be near, no more
+  Array place_x, place_y;  ///< of the particles, from the lattice's origin, m
+  Array neighbour_weight;  ///< omega_ij of neighbour packs [neighbours x width], 0 where a lane is no bond
+  Array bond_weight;       ///< the same of bond records [slots x width]; absent without bonds
   List<std::int32_t> material;  ///< per storage index, -1 = padding
   // bookkeeping between seeds and storage
   List<std::int32_t> seed_of;     ///< storage -> seed, -1 = padding
@@ -63,6 +67,10 @@ struct Model {
   Real height = 0, stress_scale = 0, force_scale = 0,
        stiffness = 0;  ///< H, gamma H or q, sum |f_ext|, harmonic mean of Young's modulus over the soil
   std::int64_t particles = 0, soil_particles = 0, bonds = 0;
+  bool off_lattice() const { return place_x.present(); }
+  /// Geometry of lane l of a pack of bonds, or of neighbour pack k of a block that begins with particle i.
+  Offset offset(const BondPack& pack, int l) const;
+  Offset offset(std::size_t k, std::int32_t i, int l) const;
   /// Empty lists of the heap.
   void take_from(const Heap& heap);
   std::size_t bytes() const;

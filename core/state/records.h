@@ -6,7 +6,7 @@
 
 namespace vbgpd {
 
-/// Geometry of one lattice offset: the same for every bond along it.
+/// Geometry of one lattice offset: the same for every bond along it (Model::place_x: unless particles are off it).
 struct Offset {
   double xi_x = 0, xi_y = 0;  ///< X_j - X_i, m
   double weight = 0;          ///< omega_ij = W(r), 1/m2
@@ -14,6 +14,12 @@ struct Offset {
   double n_x = 0, n_y = 0;    ///< xi / r^2, 1/m
   double g_x = 0, g_y = 0;    ///< omega_ij xi, 1/m
 };
+
+/// Of the pair a vector xi apart; a particle is at no offset from itself.
+inline Offset offset_of(double xi_x, double xi_y, double weight) {
+  const double r2 = xi_x * xi_x + xi_y * xi_y, inverse_r2 = r2 > 0 ? 1 / r2 : 0;
+  return {xi_x, xi_y, weight, inverse_r2, xi_x * inverse_r2, xi_y * inverse_r2, weight * xi_x, weight * xi_y};
+}
 
 /// `width` bonds between particles i.. and j.., all of one pair of materials. Sorted by return algorithm, then block.
 struct BondPack {

@@ -4,8 +4,8 @@
 #include "base/pack.h"
 #include "material/cone.h"
 #include "material/hexagon.h"
-#include "step/lanes.h"
 #include "step/ledger.h"
+#include "step/sites.h"
 #include "step/step_data.h"
 
 namespace vbgpd {
@@ -24,16 +24,20 @@ VBGPD_INLINE BondEnd bond_end(const StepData& d, int i) {
 struct BondStrain {
   Pack xx, yy, xy;
 };
-VBGPD_INLINE BondStrain twice_bond_strain(const BondEnd& a, const StepData& d, int j, const Offset& o) {
+template <class Bond>
+VBGPD_INLINE BondStrain twice_bond_strain(const BondEnd& a, const StepData& d, int j, const Bond& o) {
   const Pack sxx = a.lxx + load(d.lxx + j), sxy = a.lxy + load(d.lxy + j);
   const Pack syx = a.lyx + load(d.lyx + j), syy = a.lyy + load(d.lyy + j);
   const Pack dx = load(d.ux + j) - a.ux, dy = load(d.uy + j) - a.uy;
-  const Pack cx = (dx + dx) - sxx * o.xi_x - sxy * o.xi_y, cy = (dy + dy) - syx * o.xi_x - syy * o.xi_y;
-  return {sxx + cx * o.n_x, syy + cy * o.n_y, ((sxy + syx) + cx * o.n_y + cy * o.n_x) * 0.5};
+  const Pack cx = (dx + dx) - sxx * o->xi_x - sxy * o->xi_y;
+  const Pack cy = (dy + dy) - syx * o->xi_x - syy * o->xi_y;
+  return {sxx + cx * o->n_x, syy + cy * o->n_y, ((sxy + syx) + cx * o->n_y + cy * o->n_x) * 0.5};
 }
 
 /// A pack of bonds while it is worked on: stress, first trial, then returned, then times half the bond volume.
+template <class Sites>
 struct BondWork {
+  typename Sites::Bond bond;
   Stress<Pack> stress;
   Pack half;    ///< B_ij/2 = V_i V_j w~_ij; 0 where a lane is no bond
   Pack source;  ///< plastic dilation times B_ij/2
@@ -49,12 +53,12 @@ VBGPD_INLINE void add_cohesion(LawOnPacks& law, const StepData& d, const Control
 }
 
 /// VB3: trial stress in total form, from the strain that is not plastic.
-template <class LawOnPacks>
+template <class Sites, class LawOnPacks>
 VBGPD_INLINE void trial_stress(const StepData& d, const BondEnd& a, const BondPack& pack, const LawOnPacks& law,
-                               BondWork& w) {
-  const Offset& o = d.offsets[pack.offset];
+                               BondWork<Sites>& w) {
+  w.bond = Sites::bond(d, pack);
   const int j = pack.j;
-  const BondStrain e = twice_bond_strain(a, d, j, o);
+  const BondStrain e = twice_bond_strain(a, d, j, w.bond);
   const Pack third = (e.xx + e.yy) * (1.0 / 3.0);
   const double shear = law.shear;
   w.stress = {shear * (e.xx - third), shear * (e.yy - third), shear * e.xy,
@@ -65,14 +69,14 @@ VBGPD_INLINE void trial_stress(const StepData& d, const BondEnd& a, const BondPa
     w.stress.xy -= 2 * shear * load(record + 2 * kWidth);
   }
   // B_ij/2 = omega_ij V_i V_j (1/omega0_i + 1/omega0_j) / 2
-  const Pack half = (a.volume * load(d.share + j) + a.share * load(d.volume + j)) * (0.5 * o.weight);
+  const Pack half = (a.volume * load(d.share + j) + a.share * load(d.volume + j)) * (0.5 * w.bond->weight);
   w.half = visible(half, pack.lanes);
 }
 
 /// VB4: return to the yield surface; plastic strain is updated in place, elastic bonds write nothing.
-template <bool kLedger, class LawOnPacks>
+template <bool kLedger, class Sites, class LawOnPacks>
 VBGPD_INLINE void return_stress(const StepData& d, const BondPack& pack, const LawOnPacks& law, double compliance,
-                                BondWork& w, double& plastic_work) {
+                                BondWork<Sites>& w, double& plastic_work) {
   const Stress<Pack> trial = w.stress;
   const Returned<Pack> r = law.returned(trial);
   const Stress<Pack>& s = r.stress;
@@ -93,17 +97,18 @@ VBGPD_INLINE void return_stress(const StepData& d, const BondPack& pack, const L
 }
 
 /// VB5: V_i S_i = sum_j B_ij/2 [ s (I - n n^T) + m I ] of both ends, pair force B_ij s n / r with opposite signs.
-VBGPD_INLINE void add_loads(const StepData& d, int i, const BondPack* packs, const BondWork* loads, int count,
+template <class Sites>
+VBGPD_INLINE void add_loads(const StepData& d, int i, const BondPack* packs, const BondWork<Sites>* loads, int count,
                             bool sourced) {
   Pack zxx{}, zxy{}, zyx{}, zyy{}, px{}, py{};  // added at the end: both ends may share particles
   for (int p = 0; p < count; ++p) {
-    const Offset& o = d.offsets[packs[p].offset];
+    const auto& o = loads[p].bond;
     const Stress<Pack>& s = loads[p].stress;
     const int j = packs[p].j;
-    const Pack tx = s.xx * o.xi_x + s.xy * o.xi_y, ty = s.xy * o.xi_x + s.yy * o.xi_y;
-    const Pack sxx = (s.xx + s.m) - tx * o.n_x, sxy = s.xy - tx * o.n_y;
-    const Pack syx = s.xy - ty * o.n_x, syy = (s.yy + s.m) - ty * o.n_y;
-    const Pack fx = tx * (2 * o.inverse_r2), fy = ty * (2 * o.inverse_r2);
+    const Pack tx = s.xx * o->xi_x + s.xy * o->xi_y, ty = s.xy * o->xi_x + s.yy * o->xi_y;
+    const Pack sxx = (s.xx + s.m) - tx * o->n_x, sxy = s.xy - tx * o->n_y;
+    const Pack syx = s.xy - ty * o->n_x, syy = (s.yy + s.m) - ty * o->n_y;
+    const Pack fx = tx * (2 * o->inverse_r2), fy = ty * (2 * o->inverse_r2);
     zxx += sxx, zxy += sxy, zyx += syx, zyy += syy, px += fx, py += fy;
     add(d.zxx + j, sxx), add(d.zxy + j, sxy), add(d.zyx + j, syx), add(d.zyy + j, syy);
     add(d.px + j, -fx), add(d.py + j, -fy);
@@ -116,7 +121,7 @@ VBGPD_INLINE void add_loads(const StepData& d, int i, const BondPack* packs, con
   add(d.volume_source + i, own);
 }
 
-template <template <class> class Law, bool kLedger>
+template <class Sites, template <class> class Law, bool kLedger>
 inline double bond_pass(const StepData& shared, const Controls& shared_controls, const Chunk& chunk) {
   const StepData d = shared;  // a copy nobody else can see: its pointers stay in registers across stores
   const Controls controls = shared_controls;
@@ -125,7 +130,7 @@ inline double bond_pass(const StepData& shared, const Controls& shared_controls,
   double plastic_work = 0;
   const bool sourced = d.volume_source != nullptr;
   const int end = chunk.packs_end[algorithm];
-  BondWork work[kMost];
+  BondWork<Sites> work[kMost];
   for (int p = chunk.packs_begin[algorithm]; p < end;) {
     // a batch: bonds of one block, sharing their first end, and of one pair of materials
     const BondPack* const batch = d.packs + p;

@@ -31,9 +31,10 @@ inline double flux_pass(const StepData& shared, const Chunk& chunk) {
 }
 
 /// Internal force of VB5 on the particles of a block: V_i sum_j Z_j omega_ij xi_ij + Z_i sum_j V_j omega_ij xi_ij.
+template <class Sites>
 VBGPD_INLINE void internal_force(const StepData& d, const Block& block, Pack& fx, Pack& fy) {
   const int i = block.first;
-  const TensorSum sum = over_neighbours(d, block, [&](TensorSum& s, int j, Pack gx, Pack gy) {
+  const TensorSum sum = over_neighbours<Sites>(d, block, [&](TensorSum& s, int j, Pack gx, Pack gy) {
     s.xx += load(d.zxx + j) * gx, s.xy += load(d.zxy + j) * gy;
     s.yx += load(d.zyx + j) * gx, s.yy += load(d.zyy + j) * gy;
   });
@@ -44,7 +45,7 @@ VBGPD_INLINE void internal_force(const StepData& d, const Block& block, Pack& fx
 }
 
 /// f = internal + external + damping; v <- b v + dt f/m; u <- u + dt v. Sums up the monitors of the chunk.
-template <bool kLedger>
+template <class Sites, bool kLedger>
 inline Sums move_pass(const StepData& shared, const Controls& shared_controls, const Chunk& chunk) {
   const StepData d = shared;  // copies: their members stay in registers across stores
   const Controls c = shared_controls;
@@ -53,7 +54,7 @@ inline Sums move_pass(const StepData& shared, const Controls& shared_controls, c
     const Block& block = d.blocks[b];
     const int i = block.first;
     Pack ix, iy;
-    internal_force(d, block, ix, iy);
+    internal_force<Sites>(d, block, ix, iy);
     const Pack ex = load(d.force_x + i), ey = load(d.force_y + i);
     const Pack free_x = load(d.free_x + i), free_y = load(d.free_y + i);
     const Pack fx = (ix + ex) * free_x, fy = (iy + ey) * free_y;

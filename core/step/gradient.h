@@ -23,14 +23,14 @@ inline void weigh_pass(const StepData& shared, const Chunk& chunk) {
 /// to neighbours through the bonds, as dilatancy is, would pump energy into those under pressure (measured:
 /// cohesionless faces blow up). With kLedger what opened is kept for the books. in  u [n] m, plastic_volume [n]   out
 /// L [n], dilation = tr L - theta^p [n]; sums of VB5 set to zero
-template <bool kLedger>
+template <class Sites, bool kLedger>
 inline void gradient_pass(const StepData& shared, const Controls& c, const Chunk& chunk) {
   const StepData d = shared;  // its pointers stay in registers across stores
   const Pack zero{};
   for (int b = chunk.blocks_begin; b < chunk.blocks_end; ++b) {
     const Block& block = d.blocks[b];
     const int i = block.first;
-    const TensorSum sum = over_neighbours(d, block, [&](TensorSum& s, int j, Pack gx, Pack gy) {
+    const TensorSum sum = over_neighbours<Sites>(d, block, [&](TensorSum& s, int j, Pack gx, Pack gy) {
       const Pack wx = load(d.weighted_x + j), wy = load(d.weighted_y + j);
       s.xx += wx * gx, s.xy += wx * gy;
       s.yx += wy * gx, s.yy += wy * gy;

@@ -7,11 +7,12 @@
 
 namespace vbgpd {
 
-extern const StepFunction VBGPD_JOIN(kStepTable_, VBGPD_ISA)[4];
-
-const StepFunction VBGPD_JOIN(kStepTable_, VBGPD_ISA)[4] = {&step<SelectiveVirtualBonds, false>,
-                                                            &step<SelectiveVirtualBonds, true>, &step<NoBonds, false>,
-                                                            &step<NoBonds, true>};
+extern const StepTable VBGPD_JOIN(kStepTable_, VBGPD_ISA);
+const StepTable VBGPD_JOIN(kStepTable_, VBGPD_ISA) = {
+    {{&step<NoBonds, OnLattice, false>, &step<NoBonds, OnLattice, true>},
+     {&step<NoBonds, OffLattice, false>, &step<NoBonds, OffLattice, true>}},
+    {{&step<SelectiveVirtualBonds, OnLattice, false>, &step<SelectiveVirtualBonds, OnLattice, true>},
+     {&step<SelectiveVirtualBonds, OffLattice, false>, &step<SelectiveVirtualBonds, OffLattice, true>}}};
 extern const int VBGPD_JOIN(kStepWidth_, VBGPD_ISA);
 const int VBGPD_JOIN(kStepWidth_, VBGPD_ISA) = kWidth;
 

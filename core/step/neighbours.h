@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/pack.h"
-#include "step/lanes.h"
+#include "step/sites.h"
 #include "step/step_data.h"
 
 namespace vbgpd {
@@ -15,13 +15,13 @@ struct TensorSum {
 
 /// Calls term(sum, j, omega_ij xi_x, omega_ij xi_y) for every pack of neighbours j of a block; lanes that are no
 /// neighbours have no weight. Two sums side by side, so that one addition need not wait for the last.
-template <class Term>
+template <class Sites, class Term>
 VBGPD_INLINE TensorSum over_neighbours(const StepData& d, const Block& block, const Term& term) {
   TensorSum even, odd;
   const auto add = [&](TensorSum & sum, int n) __attribute__((always_inline)) {
-    const NeighbourPack& neighbour = d.neighbours[n];
-    const Offset& o = d.offsets[neighbour.offset];
-    term(sum, neighbour.j, visible(broadcast(o.g_x), neighbour.lanes), visible(broadcast(o.g_y), neighbour.lanes));
+    Pack gx, gy;
+    Sites::operator_of(d, n, block.first, gx, gy);
+    term(sum, d.neighbours[n].j, gx, gy);
   };
   int n = block.neighbours_begin;
   for (; n + 1 < block.neighbours_end; n += 2) add(even, n), add(odd, n + 1);

@@ -14,40 +14,40 @@ inline namespace VBGPD_ISA {
 
 /// Bonds of a chunk: strain rate split, trial stress, return to the yield surface, plastic mark, stress sums (VB3-VB5).
 struct SelectiveVirtualBonds {
-  template <template <class> class Law, bool kLedger>
+  template <class Sites, template <class> class Law, bool kLedger>
   static double pass(const StepData& d, const Controls& c, const Chunk& chunk) {
-    return bond_pass<Law, kLedger>(d, c, chunk);
+    return bond_pass<Sites, Law, kLedger>(d, c, chunk);
   }
 };
 /// No bonds: the particles themselves yield.
 struct NoBonds {
-  template <template <class> class Law, bool kLedger>
+  template <class Sites, template <class> class Law, bool kLedger>
   static double pass(const StepData& d, const Controls& c, const Chunk& chunk) {
     return particle_pass<Law, kLedger>(d, c, chunk);
   }
 };
 
 /// The whole step. Chunks are summed in their own order: same bits for any thread count.
-template <class Bonds, bool kLedger>
+template <class Bonds, class Sites, bool kLedger>
 void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial, Sums& sums) {
   const int chunks = d.chunk_count;
 
   // particle displacement gradients                                                        VB1, VB2
   const auto weigh = [&](int k) { weigh_pass(d, d.chunks[k]); };
-  const auto gradient = [&](int k) { gradient_pass<kLedger>(d, c, d.chunks[k]); };
+  const auto gradient = [&](int k) { gradient_pass<Sites, kLedger>(d, c, d.chunks[k]); };
 
   // bonds: strains, trial stress, yielding, sums over bonds                                VB3, VB4, VB5
   const auto bonds = [&](int k) {
     partial[k].plastic_work = 0;
-    if (d.uses_algorithm[0]) partial[k].plastic_work += Bonds::template pass<Cone, kLedger>(d, c, d.chunks[k]);
-    if (d.uses_algorithm[1]) partial[k].plastic_work += Bonds::template pass<Hexagon, kLedger>(d, c, d.chunks[k]);
+    if (d.uses_algorithm[0]) partial[k].plastic_work += Bonds::template pass<Sites, Cone, kLedger>(d, c, d.chunks[k]);
+    if (d.uses_algorithm[1]) partial[k].plastic_work += Bonds::template pass<Sites, Hexagon, kLedger>(d, c, d.chunks[k]);
   };
 
   // forces from virtual power, gravity, loads, damping; integrate; monitors                VB5, method 4.10, 4.11
   const auto flux = [&](int k) { partial[k].plastic_work += flux_pass<kLedger>(d, d.chunks[k]); };
   const auto move = [&](int k) {
     const double plastic_work = partial[k].plastic_work;
-    partial[k] = move_pass<kLedger>(d, c, d.chunks[k]);
+    partial[k] = move_pass<Sites, kLedger>(d, c, d.chunks[k]);
     partial[k].plastic_work = plastic_work;
   };
 

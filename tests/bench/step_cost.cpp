@@ -26,6 +26,22 @@ VBGPD_LAW(none, elastic);
 VBGPD_LAW(none, drucker_prager);
 VBGPD_LAW(none, mohr_coulomb);
 
+/// Particles off the lattice, each coordinate by up to 0.3 spacings.
+void off_lattice(benchmark::State& state, const char* bond, const char* name) {
+  SceneDef s = scene("gl_1");
+  s.bond = bond, s.materials[0].law = name, s.jitter = 0.3;
+  s.spacing = spacing_for(s, state.range(0));
+  step_cost(state, s, 1.5);
+}
+#define VBGPD_OFF_LATTICE(bond, name)                       \
+  BENCHMARK_CAPTURE(off_lattice, bond##_##name, #bond, #name) \
+      ->RangeMultiplier(10)                                 \
+      ->Range(1000, 1000000)                                \
+      ->Unit(benchmark::kMillisecond)
+VBGPD_OFF_LATTICE(virtual_bond, elastic);
+VBGPD_OFF_LATTICE(virtual_bond, drucker_prager);
+VBGPD_OFF_LATTICE(none, drucker_prager);
+
 /// Two workers against one, in wall-clock time.
 BENCHMARK_CAPTURE(law, workers, "virtual_bond", "drucker_prager")
     ->ArgsProduct({{100000}, {1, 2}})

@@ -55,6 +55,18 @@ const std::vector<Variant>& variants() {
        [](SceneDef& s) {
          s.kh = 0.2, s.kv = -0.1, s.loads = {{2, 9, 3e4, 1e4}};
        }},
+      {"off the lattice", [](SceneDef& s) { s.jitter = 0.3; }},
+      {"off the lattice, no bonds", [](SceneDef& s) { s.jitter = 0.45, s.bond = "none"; }},
+      {"off the lattice, dilatant mohr-coulomb over clay, vertical face, load",
+       [](SceneDef& s) {
+         s.exterior = {{0, 0}, {30, 0}, {30, 4}, {16, 4}, {16, 12}, {0, 12}};
+         MaterialDef clay = test::soil("undrained", 6e3, 0);
+         clay.name = "clay";
+         s.materials[0].law = "mohr_coulomb", s.materials[0].dilatancy_angle = 10;
+         s.materials.push_back(clay);
+         s.layers.push_back({"clay", {{0, 0}, {30, 0}, {30, 5}, {0, 3}}});
+         s.kernel = "cubic_spline", s.loads = {{2, 9, 3e4, 1e4}}, s.jitter = 0.2;
+       }},
       {"vertical face",
        [](SceneDef& s) {
          s.exterior = {{0, 0}, {30, 0}, {30, 4}, {16, 4}, {16, 12}, {0, 12}};
@@ -89,7 +101,7 @@ void compare(const SceneDef& scene, const Kernels& kernels, const char* name) {
   Sums sums;
   constexpr int kSteps = 100;
   for (int n = 0; n < kSteps; ++n) {
-    (m.features.bond == BondLaw::kNone ? kernels.none : kernels.selective)(d, c, workers, partial.data(), sums);
+    kernels.step(m.features.bond != BondLaw::kNone, m.off_lattice(), false)(d, c, workers, partial.data(), sums);
     const std::vector<Vec2> f = slow.internal_forces();
     for (std::size_t k = 0; k < f.size(); ++k) {
       const auto i = static_cast<std::size_t>(m.storage_of[k]);

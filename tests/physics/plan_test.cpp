@@ -43,6 +43,7 @@ SceneDef everything() {
   s.loads = {{2, 8, 20e3, 20e3}};
   s.kh = 0.05;
   s.boundaries[0].kind = BoundaryKind::kVelocity;
+  s.jitter = 0.1;
   return s;
 }
 
@@ -75,7 +76,7 @@ TEST(Plan, OfTheSimplestSceneLeavesEverythingOut) {
   for (const char* name :
        {"virtual bonds", "plasticity", "volumetric plasticity", "cohesion gradient", "several materials", "dilatancy",
         "tension cut-off", "seismic coefficients", "surface loads", "moving boundaries", "damping", "energy ledger",
-        "quasi-static relaxation", "dynamic steps", "fields and monitors", "workers", "mohr_coulomb law"})
+        "quasi-static relaxation", "dynamic steps", "fields and monitors", "workers", "mohr_coulomb law", "jitter"})
     EXPECT_FALSE(feature(*simulation, name).used) << name;
   EXPECT_TRUE(feature(*simulation, "elastic law").used);
 }
@@ -84,7 +85,7 @@ TEST(Plan, OfTheFullSceneUsesEverything) {
   const auto simulation = compiled(everything());
   for (const char* name : {"virtual bonds", "plasticity", "volumetric plasticity", "cohesion gradient",
                            "several materials", "dilatancy", "tension cut-off", "seismic coefficients", "surface loads",
-                           "moving boundaries", "guided walls", "mohr_coulomb law", "undrained law"})
+                           "moving boundaries", "guided walls", "mohr_coulomb law", "undrained law", "jitter"})
     EXPECT_TRUE(feature(*simulation, name).used) << name;
   EXPECT_FALSE(feature(*simulation, "damping").used);
   simulation->set("damping", 0.3);

@@ -28,7 +28,7 @@ class ReferenceStep {
     u.assign(n, Vec2::Zero()), v.assign(n, Vec2::Zero()), plastic_volume.assign(n, 0);
     for (const CutPair& c : section.cut_pairs) cut_[{c.a, c.b}] = true;
     h_ = scene.smoothing_ratio * std::sqrt(section.lattice.spacing.x() * section.lattice.spacing.y());
-    for (std::size_t i = 0; i < n; ++i) x.push_back(section.lattice.center(section.seeds[i].ix, section.seeds[i].iy));
+    for (std::size_t i = 0; i < n; ++i) x.push_back(section.place(i));
     // VB1: M_i = sum omega V xi xi^T, omega0_i = sum omega V
     for (std::size_t i = 0; i < n; ++i) {
       Mat2 moment = Mat2::Zero();

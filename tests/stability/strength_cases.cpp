@@ -45,6 +45,7 @@ Case but(Case c, const char* known, const char* verdict = "") {
   return c;
 }
 const char* const kVolume = "plastic volume of large or uneven steps";
+const char* const kDisorder = "uniform volumes of disordered particles";
 const char* const kUndecided = "neither rest nor steady failure in the steps allowed";
 
 Case varied(const std::string& name, double most_deviation, bool fast, const Change& change) {
@@ -168,6 +169,11 @@ void add_shape(std::vector<Case>& all) {
       known("hole joined to the outline by a slit", "refused", 1, kNone, true, changed([](SceneDef& s) {
               s.exterior = {{0, 0}, {6, 0}, {6, 3}, {4, 3}, {4, 5}, {6, 5}, {6, 0}, {32, 0}, {12, 10}, {0, 10}};
             })));
+  for (const double jitter : {0.1, 0.3, 0.49}) {
+    char name[60];
+    std::snprintf(name, sizeof name, "particles up to %g spacings off the lattice", jitter);
+    all.push_back(but(varied(name, 0.01, jitter == 0.1, [jitter](SceneDef& s) { s.jitter = jitter; }), kDisorder));
+  }
   SceneDef thin = base_slope();
   thin.materials.push_back(thin.materials[0]);
   thin.materials[1].name = "seam", thin.materials[1].cohesion = 5e3;

@@ -168,7 +168,7 @@ typedef struct vbgpd_property_info {
   double default_value, min_value, max_value;      /* default NaN = absent */
   int32_t min_open, max_open;                      /* 1 = the end itself is not allowed */
 } vbgpd_property_info;
-/* object_kind: VBGPD_OBJECT_PROFILE (spacing, gravity, kh, kv, smoothing_ratio, srf_min, srf_max, srf_tolerance),
+/* object_kind: VBGPD_OBJECT_PROFILE (spacing, gravity, kh, kv, smoothing_ratio, jitter, srf_min, srf_max, srf_tolerance),
  * MATERIAL, LOAD, BOUNDARY, MODEL, JOB */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_count(int32_t object_kind, int64_t* n);                    /* [any-thread] */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_property_info_at(int32_t object_kind, int64_t i, vbgpd_property_info* info); /* [any-thread] */

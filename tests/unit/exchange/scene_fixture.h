@@ -29,7 +29,7 @@ inline SceneDef full_scene() {
                       {"", "right", {}, BoundaryKind::kFree, 0, 0}};
   scene.loads = {{500000, 500006, 20000, 40000}, {500007, 500008, 10000, 10000}};
   scene.kh = -0.15, scene.kv = 0.05, scene.gravity = 9.80665, scene.spacing = 0.5;
-  scene.bond = "none", scene.kernel = "cubic_spline", scene.smoothing_ratio = 1.5;
+  scene.bond = "none", scene.kernel = "cubic_spline", scene.smoothing_ratio = 1.5, scene.jitter = 0.2;
   scene.strength_reduction = {0.25, 8, 0.001};
   scene.published = {{"Bishop", "a paper", 1.4, kNone}, {"band", "two papers", 1.3, 1.5}};
   return scene;

@@ -64,7 +64,7 @@ TEST(Properties, NameEveryNumberOfAScene) {
   EXPECT_EQ(count(ObjectKind::kMaterial), 9u);
   EXPECT_EQ(count(ObjectKind::kLoad), sizeof(LoadDef) / sizeof(double));
   EXPECT_EQ(count(ObjectKind::kBoundary), 3u);
-  EXPECT_EQ(count(ObjectKind::kProfile), 5 + sizeof(StrengthReductionDef) / sizeof(double));
+  EXPECT_EQ(count(ObjectKind::kProfile), 6 + sizeof(StrengthReductionDef) / sizeof(double));
 }
 
 TEST(FindProperty, PointsAtTheMemberOfThatName) {

@@ -1,0 +1,43 @@
+// Where the ends of bonds are: on a lattice all lanes of a pack share one offset, off it every bond has its own place
+// and weight. A pass takes either as `Sites`.
+#pragma once
+
+#include "base/pack.h"
+#include "step/lanes.h"
+#include "step/step_data.h"
+
+namespace vbgpd {
+inline namespace VBGPD_ISA {
+
+struct OnLattice {
+  using Bond = const Offset*;
+  VBGPD_INLINE static Bond bond(const StepData& d, const BondPack& pack) { return d.offsets + pack.offset; }
+
+  /// omega_ij xi of neighbour pack n of the block that begins with particle i; 0 where a lane is no neighbour.
+  VBGPD_INLINE static void operator_of(const StepData& d, int n, int, Pack& gx, Pack& gy) {
+    const NeighbourPack& neighbour = d.neighbours[n];
+    const Offset& o = d.offsets[neighbour.offset];
+    gx = visible(broadcast(o.g_x), neighbour.lanes), gy = visible(broadcast(o.g_y), neighbour.lanes);
+  }
+};
+
+struct OffLattice {
+  struct Offset {
+    Pack xi_x, xi_y, weight, inverse_r2, n_x, n_y;
+    const Offset* operator->() const { return this; }
+  };
+  using Bond = Offset;
+  VBGPD_INLINE static Bond bond(const StepData& d, const BondPack& p) {
+    const Pack x = load(d.place_x + p.j) - load(d.place_x + p.i), y = load(d.place_y + p.j) - load(d.place_y + p.i);
+    const Pack inverse_r2 = 1.0 / larger(x * x + y * y, broadcast(d.least_r2));
+    return {x, y, load(d.bond_weight + static_cast<long>(kWidth) * p.slot), inverse_r2, x * inverse_r2, y * inverse_r2};
+  }
+  VBGPD_INLINE static void operator_of(const StepData& d, int n, int i, Pack& gx, Pack& gy) {
+    const int j = d.neighbours[n].j;
+    const Pack weight = load(d.neighbour_weight + static_cast<long>(kWidth) * n);
+    gx = weight * (load(d.place_x + j) - load(d.place_x + i)), gy = weight * (load(d.place_y + j) - load(d.place_y + i));
+  }
+};
+
+}  // namespace VBGPD_ISA
+}  // namespace vbgpd
