@@ -13,6 +13,8 @@ constexpr std::int64_t kWindow = 10;
 constexpr double kNotch =
     0.25;  // trial factors are multiples of this share of the tolerance: the same for every unit and side
 
+constexpr double kFall = 0.01;  // F_e is past its peak when it falls by more than this
+
 constexpr int kBriefly = 4;  // response times a trial may take where another factor beside it would do
 
 /// The masses of the relaxation follow the stiffness: a mechanism in the stiffest soil gathers speed so many times more
@@ -142,18 +144,23 @@ Slices GridSearch::follow() {
   progress_.phase = Phase::kSearch;
   double factor = std::isnan(options_.guess) ? 1.0 : 1.04 * options_.guess;
   factor = std::clamp(factor, options_.srf_min, options_.srf_max);
+  for (Slices s = overshoot(factor); s.next();) co_yield Pause{};
+  if (std::isnan(flow_)) co_return;
+  for (Slices s = come_down(factor); s.next();) co_yield Pause{};
+}
+
+/// Raises F until the slope flows, then waits until F_e is flat and the flow developed; flow_ is what it reads, NaN
+/// where nothing can be read.
+Slices GridSearch::overshoot(double& factor) {
   const RelaxOptions options;
   constexpr double kLevel = 12;     // displacement level at which the flow is read
   constexpr double kFlowing = 0.5;  // and that at which it is a flow
-  constexpr double kFlat = 3e-4;    // F_e repeats when two rounds of following differ by less than this
-  constexpr double kSteady = 1e-3;  // and is read once it changes by less than this over a look
+  constexpr double kSteady = 1e-3;  // F_e is read once it changes by less than this over a look
   constexpr double kBrisk = 1.04;   // share of F_e at which the flow is driven, at least: less takes ages
   constexpr double kStands = 5e-4;  // unbalanced force ratio, halved since the last look, of a slope about to stand
-  constexpr double kFall = 0.01;    // and past its peak when it falls by more than this
   const std::int64_t look = std::max<std::int64_t>(2 * kWindow, response_ / 2);
   const auto windows = static_cast<std::size_t>(look / kWindow);
   const std::int64_t most = 60 * response_;
-  // 1. overshoot: raise F until the slope flows, then wait until F_e is flat and the flow developed
   double best = 0, unbalanced = 1;
   std::vector<double> estimates;  // F_e after every window
   std::shared_ptr<SavedState> best_state;
@@ -172,7 +179,7 @@ Slices GridSearch::follow() {
     const RelaxReport r = simulation_.relax(kWindow, options);
     steps += r.steps, looked += r.steps, progress_.steps += r.steps;
     progress_.unbalanced_force_ratio = r.unbalanced_force_ratio, progress_.max_displacement = r.max_displacement;
-    if (r.diverged || steps > most) co_return;  // flow_ stays NaN: the careful way decides
+    if (r.diverged || steps > most) co_return;  // the careful way decides
     const double level = r.max_displacement / simulation_.displacement_scale();
     if (r.unbalanced_force_ratio < 1e-5) {  // stands: a lower end for nothing
       stable_ = factor, standing_ = simulation_.save();
@@ -187,7 +194,7 @@ Slices GridSearch::follow() {
                         std::fabs(estimate - estimates[estimates.size() - 1 - windows]) < kSteady * estimate;
     if (level > kLevel && estimate < factor && steady) {
       flow_ = estimate;
-      break;
+      co_return;
     }
     if (looked >= look) {
       if (r.unbalanced_force_ratio < kStands && r.unbalanced_force_ratio < 0.5 * unbalanced &&
@@ -204,7 +211,7 @@ Slices GridSearch::follow() {
         if (!(best < factor)) co_return;
         flow_ = best;
         simulation_.restore(*best_state);
-        break;
+        co_return;
       }
       if (level > kFlowing && estimate < factor && factor < kBrisk * estimate) {
         factor = std::min(options_.srf_max, kBrisk * estimate);
@@ -214,7 +221,11 @@ Slices GridSearch::follow() {
     }
     co_yield Pause{};
   }
-  // 2. follow: come down towards F_e, gently, until it repeats
+}
+
+/// Follows the flow down towards F_e, gently, until that repeats.
+Slices GridSearch::come_down(double& factor) {
+  constexpr double kFlat = 3e-4;  // F_e repeats when two rounds differ by less than this
   const auto peak = simulation_.save();
   const double read = flow_;
   for (int round = 0; round < 8; ++round) {
@@ -223,7 +234,7 @@ Slices GridSearch::follow() {
     set_factor(factor);
     simulation_.halt();
     for (std::int64_t n = 0; n < std::max<std::int64_t>(2 * kWindow, response_ / 2); n += kWindow) {
-      const RelaxReport r = simulation_.relax(kWindow, options);
+      const RelaxReport r = simulation_.relax(kWindow, {});
       progress_.steps += r.steps;
       if (r.unbalanced_force_ratio < 1e-5) break;
       flow_ = factor * r.power_ratio;

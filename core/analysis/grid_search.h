@@ -39,6 +39,8 @@ class GridSearch {
  private:
   Slices gravity();
   Slices follow();
+  Slices overshoot(double& factor);
+  Slices come_down(double& factor);
   Slices fast_bracket();
   Slices upper_end_from_gravity();
   Slices bisection();

@@ -17,7 +17,7 @@ std::string origin_text(const FosResult& r) {
   const auto grids = std::count_if(r.levels.begin(), r.levels.end(),
                                    [](const vbgpd_level& level) { return std::isfinite(level.factor_of_safety); });
   if (grids > 1 && (r.status == "OK" || r.status == "TARGET_NOT_MET"))
-    return format("   extrapolated from %d grids", static_cast<int>(grids));
+    return format("   from %d grids", static_cast<int>(grids));
   return grids > 1 ? "   middle of the bracket of the finest grid"
                    : "   middle of the bracket of one grid, whose error is unknown";
 }
