@@ -254,22 +254,22 @@ Slices GridSearch::come_down(double& factor) {
 Slices GridSearch::fast_bracket() {
   const double notch = kNotch * options_.tolerance;
   double low = std::max(options_.srf_min, notched(flow_));
-  // lower end: the same flow comes to rest; if not, step down, each time from the last state at rest
+  // lower end: the same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further down
   for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
-    if (!std::isnan(failed_) || undecided_ > 0) simulation_.restore(*standing_);
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
     if (done_ || verdict_ == Verdict::kStable) break;
     if (low <= options_.srf_min && verdict_ == Verdict::kFailed) {
       end_below();
       co_return;
     }
-    low = std::max(options_.srf_min, notched(low - step));
+    const double flow = verdict_ == Verdict::kFailed ? trials_.back().power_ratio : low;
+    low = std::max(options_.srf_min, notched(std::min(low - step, flow)));
   }
   // upper end: from the state at rest, a little more; if it stands, it is the new lower end; where it creeps, a notch
   // more, then two, going on from there
   patience_ = kBriefly;
   double step = options_.tolerance, aside = notch;
-  for (double high = stable_ + step; !done_ && std::isnan(failed_);) {
+  for (double high = stable_ + step; !done_ && !(failed_ <= high);) {
     high = std::min(options_.srf_max, notched(high + 0.5 * notch));
     for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};
     if (!done_ && verdict_ == Verdict::kStable && high >= options_.srf_max) {

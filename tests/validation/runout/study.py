@@ -17,13 +17,13 @@ import numpy  # noqa: E402
 import vbgpd  # noqa: E402
 
 GRAVITY = 9.81
-Case = collections.namedtuple("Case", "name width height spacing phi cohesion density modulus seconds rough_left law outline",
-                              defaults=(None,))  # outline: a slope between rollers instead of a rectangle on the left wall
+Case = collections.namedtuple("Case", "name width height spacing phi cohesion density modulus seconds rough_left law outline jitter",
+                              defaults=(None, 0))  # outline: a slope between rollers instead of a rectangle on the left wall
 BARS = dict(phi=19.8, cohesion=0.0, density=2650, rough_left=False, law="drucker_prager")
 
 
-def bars(name, rows, modulus=0.84e6):
-    return Case(name, 0.2, 0.1, 0.1 / rows, modulus=modulus, seconds=2, **BARS)
+def bars(name, rows, modulus=0.84e6, jitter=0):
+    return Case(name, 0.2, 0.1, 0.1 / rows, modulus=modulus, seconds=2, jitter=jitter, **BARS)
 
 
 def column(aspect):
@@ -34,6 +34,7 @@ def column(aspect):
 
 
 CASES = [bars("bars H/10", 10), bars("bars H/20", 20), bars("bars H/40", 40), bars("bars H/20, E x 7", 20, 5.88e6),
+         bars("bars H/20, 0.2 spacings off the lattice", 20, jitter=0.2),
          column(0.5), column(1), column(2), column(4),
          Case("vertical cut 10 m, c 5 kPa, phi 25", 10, 10, 0.5, 25.0, 5e3, 1998, 1e7, 20, False, "mohr_coulomb"),
          Case("clay slope 2:1 on 5 m of clay, c 15 kPa, phi 0", 55, 10, 0.5, 0.0, 15e3, 1998, 1e7, 40, False, "undrained",
@@ -61,6 +62,7 @@ def model_of(context, case):
         if case.outline:
             profile.add_boundary(vbgpd.Boundary.ROLLER, side="right")
         profile.set("spacing", case.spacing)
+        profile.set("jitter", case.jitter)
         with vbgpd.Model(context, profile) as at_rest:
             return vbgpd.Model.runout_of(at_rest)
 
