@@ -29,6 +29,13 @@ double slowness(const SceneDef& scene) {
   return stiffest > softest ? std::min(std::sqrt(stiffest / softest), kMost) : 1;
 }
 
+/// Friction without as much dilatancy.
+bool may_soften(const SceneDef& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), [](const MaterialDef& m) {
+    return m.law != "elastic" && m.friction_angle > m.dilatancy_angle;
+  });
+}
+
 }  // namespace
 
 void GridSearch::set_factor(double factor) {
@@ -255,6 +262,7 @@ Slices GridSearch::fast_bracket() {
   const double notch = kNotch * options_.tolerance;
   double low = std::max(options_.srf_min, notched(flow_));
   // lower end: the same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further down
+  bool descended = false;
   for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
     if (done_ || verdict_ == Verdict::kStable) break;
@@ -262,6 +270,7 @@ Slices GridSearch::fast_bracket() {
       end_below();
       co_return;
     }
+    descended = true;
     const double flow = verdict_ == Verdict::kFailed ? trials_.back().power_ratio : low;
     low = std::max(options_.srf_min, notched(std::min(low - step, flow)));
   }
@@ -285,12 +294,14 @@ Slices GridSearch::fast_bracket() {
     simulation_.restore(*standing_);
     for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
-  if (!done_ && softened_)
+  constexpr double kFar = 24;  // displacement level: twice that at which flows are read
+  const bool worn = descended && displacement_level_ > kFar && may_soften(simulation_.scene());
+  if (!done_ && (softened_ || worn))
     for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
 }
 
-/// Non-associated soil may soften while it flows (unbalanced force that grows is the sign): then a failure reached
-/// through a flow holds for softened soil only, and the upper end is shown again from the untouched gravity state.
+/// Non-associated soil may soften while it flows (unbalanced force that grows is the sign, or a flow that had to be
+/// followed far): then a failure reached through a flow holds for softened soil only, and the upper end is shown again from the untouched gravity state.
 Slices GridSearch::upper_end_from_gravity() {
   const double notch = kNotch * options_.tolerance;
   const double through_flow = failed_;
