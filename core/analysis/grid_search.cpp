@@ -31,9 +31,8 @@ double slowness(const SceneDef& scene) {
 
 /// Friction without as much dilatancy.
 bool may_soften(const SceneDef& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(), [](const MaterialDef& m) {
-    return m.law != "elastic" && m.friction_angle > m.dilatancy_angle;
-  });
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const MaterialDef& m) { return m.law != "elastic" && m.friction_angle > m.dilatancy_angle; });
 }
 
 }  // namespace
@@ -261,7 +260,8 @@ Slices GridSearch::come_down(double& factor) {
 Slices GridSearch::fast_bracket() {
   const double notch = kNotch * options_.tolerance;
   double low = std::max(options_.srf_min, notched(flow_));
-  // lower end: the same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further down
+  // lower end: the same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further
+  // down
   bool descended = false;
   for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
@@ -301,7 +301,8 @@ Slices GridSearch::fast_bracket() {
 }
 
 /// Non-associated soil may soften while it flows (unbalanced force that grows is the sign, or a flow that had to be
-/// followed far): then a failure reached through a flow holds for softened soil only, and the upper end is shown again from the untouched gravity state.
+/// followed far): then a failure reached through a flow holds for softened soil only, and the upper end is shown again
+/// from the untouched gravity state.
 Slices GridSearch::upper_end_from_gravity() {
   const double notch = kNotch * options_.tolerance;
   const double through_flow = failed_;

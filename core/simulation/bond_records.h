@@ -5,8 +5,8 @@
 
 namespace vbgpd {
 
-/// Calls f(pack, lane, i, j, index of plastic xx) for every bond, i and j in storage order; i == j without bonds. The yy and
-/// xy of a record follow one and two pack widths behind.
+/// Calls f(pack, lane, i, j, index of plastic xx) for every bond, i and j in storage order; i == j without bonds. The
+/// yy and xy of a record follow one and two pack widths behind.
 template <class F>
 void for_each_record(const Model& m, F&& f) {
   const bool bonded = m.features.bond != BondLaw::kNone;

@@ -96,8 +96,8 @@ std::vector<LatticeOffset> spread(std::vector<LatticeOffset> rest, int width) {
   return order;
 }
 
-/// Offsets within the support 2h, forward ones (higher storage index) first, spread; then their opposites. Particles off
-/// the lattice by up to `jitter` spacings may be nearer than their cells.
+/// Offsets within the support 2h, forward ones (higher storage index) first, spread; then their opposites. Particles
+/// off the lattice by up to `jitter` spacings may be nearer than their cells.
 std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& lattice, Real jitter,
                                         const AnyKernel& kernel, Real h, Model& m) {
   const Real minor_spacing = columns.along_x() ? lattice.spacing.x() : lattice.spacing.y();
@@ -306,8 +306,7 @@ void build_weights(const Occupancy& who, const AnyKernel& kernel, Real h, Model&
       weigh(block.first, m.neighbours[k].j, m.neighbour_weight.data() + k * width);
   if (m.features.bond == BondLaw::kNone) return;
   m.bond_weight.allocate(static_cast<std::size_t>(m.slots) * width, 16, m.heap);
-  for (const BondPack& p : m.packs)
-    weigh(p.i, p.j, m.bond_weight.data() + static_cast<std::size_t>(p.slot) * width);
+  for (const BondPack& p : m.packs) weigh(p.i, p.j, m.bond_weight.data() + static_cast<std::size_t>(p.slot) * width);
 }
 
 /// omega0_i, M_i (VB1) and the stiffness-proportional mass sum_j B_ij/2 (K + 4G/3).

@@ -96,7 +96,8 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
 
 void LatticeSimulation::run_step(State& state, Scratch& scratch, const Controls& controls, Sums& sums) const {
   const bool bonded = model_.features.bond != BondLaw::kNone;
-  kernels_.step(bonded, model_.off_lattice(), controls.ledger)(data(state, scratch), controls, workers_, partial_.data(), sums);
+  kernels_.step(bonded, model_.off_lattice(), controls.ledger)(data(state, scratch), controls, workers_,
+                                                               partial_.data(), sums);
 }
 
 void LatticeSimulation::set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const {

@@ -50,9 +50,9 @@ struct Model {
   Array scaled_mass;     ///< mass of the quasi-static relaxation, proportional to the stiffness around the particle
   Array extra_cohesion;  ///< present with a cohesion gradient: Pa above the material's cohesion
   // present where particles are off the lattice (scene's jitter); then offsets tell who may be near, no more
-  Array place_x, place_y;  ///< of the particles, from the lattice's origin, m
-  Array neighbour_weight;  ///< omega_ij of neighbour packs [neighbours x width], 0 where a lane is no bond
-  Array bond_weight;       ///< the same of bond records [slots x width]; absent without bonds
+  Array place_x, place_y;       ///< of the particles, from the lattice's origin, m
+  Array neighbour_weight;       ///< omega_ij of neighbour packs [neighbours x width], 0 where a lane is no bond
+  Array bond_weight;            ///< the same of bond records [slots x width]; absent without bonds
   List<std::int32_t> material;  ///< per storage index, -1 = padding
   // bookkeeping between seeds and storage
   List<std::int32_t> seed_of;     ///< storage -> seed, -1 = padding

@@ -6,7 +6,7 @@
 
 namespace vbgpd {
 
-/// Geometry of one lattice offset: the same for every bond along it (Model::place_x: unless particles are off it).
+/// Geometry of one lattice offset: the same for every bond along it, unless particles are off the lattice.
 struct Offset {
   double xi_x = 0, xi_y = 0;  ///< X_j - X_i, m
   double weight = 0;          ///< omega_ij = W(r), 1/m2

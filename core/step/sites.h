@@ -35,7 +35,8 @@ struct OffLattice {
   VBGPD_INLINE static void operator_of(const StepData& d, int n, int i, Pack& gx, Pack& gy) {
     const int j = d.neighbours[n].j;
     const Pack weight = load(d.neighbour_weight + static_cast<long>(kWidth) * n);
-    gx = weight * (load(d.place_x + j) - load(d.place_x + i)), gy = weight * (load(d.place_y + j) - load(d.place_y + i));
+    gx = weight * (load(d.place_x + j) - load(d.place_x + i)),
+    gy = weight * (load(d.place_y + j) - load(d.place_y + i));
   }
 };
 

@@ -40,7 +40,8 @@ void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial,
   const auto bonds = [&](int k) {
     partial[k].plastic_work = 0;
     if (d.uses_algorithm[0]) partial[k].plastic_work += Bonds::template pass<Sites, Cone, kLedger>(d, c, d.chunks[k]);
-    if (d.uses_algorithm[1]) partial[k].plastic_work += Bonds::template pass<Sites, Hexagon, kLedger>(d, c, d.chunks[k]);
+    if (d.uses_algorithm[1])
+      partial[k].plastic_work += Bonds::template pass<Sites, Hexagon, kLedger>(d, c, d.chunks[k]);
   };
 
   // forces from virtual power, gravity, loads, damping; integrate; monitors                VB5, method 4.10, 4.11

@@ -44,7 +44,7 @@ struct StepData {
   const double *volume, *share, *moment_xx, *moment_xy, *moment_yy, *force_x, *force_y, *free_x, *free_y, *sum_x,
       *sum_y, *extra_cohesion;
   const double *place_x, *place_y, *neighbour_weight, *bond_weight;  ///< off the lattice only
-  double least_r2;  ///< m2, nearer pairs are no bonds but padding
+  double least_r2;                                                   ///< m2, nearer pairs are no bonds but padding
   bool uses_algorithm[2];
   // state
   double *ux, *uy, *vx, *vy, *plastic_volume, *plastic_strain;

@@ -33,10 +33,10 @@ void off_lattice(benchmark::State& state, const char* bond, const char* name) {
   s.spacing = spacing_for(s, state.range(0));
   step_cost(state, s, 1.5);
 }
-#define VBGPD_OFF_LATTICE(bond, name)                       \
+#define VBGPD_OFF_LATTICE(bond, name)                         \
   BENCHMARK_CAPTURE(off_lattice, bond##_##name, #bond, #name) \
-      ->RangeMultiplier(10)                                 \
-      ->Range(1000, 1000000)                                \
+      ->RangeMultiplier(10)                                   \
+      ->Range(1000, 1000000)                                  \
       ->Unit(benchmark::kMillisecond)
 VBGPD_OFF_LATTICE(virtual_bond, elastic);
 VBGPD_OFF_LATTICE(virtual_bond, drucker_prager);
