@@ -1,13 +1,10 @@
 // Exact collapse loads, as factors of safety whose true value is 1: each on one grid and extrapolated over two.
-#include <cmath>
 #include <fstream>
 #include <sstream>
 
-#include "analysis/job.h"
 #include "exchange/scene_buffer.h"
 #include "exchange/scene_text.h"
 #include "problem.h"
-#include "simulation/simulation.h"
 
 namespace vbgpd::accuracy {
 
@@ -20,24 +17,21 @@ SceneDef read_scene(const std::string& name) {
   return scene_from_flatbuffer(scene_text_to_flatbuffer(text.str(), name));
 }
 
-Outcome factor_of_safety(const char* name, int levels, const SceneDef& choice, double spacing) {
+Outcome factor_of_safety(const char* name, int levels, const SceneDef& choice, const CompileOptions& options) {
   SceneDef s = read_scene(name);
-  s.bond = choice.bond, s.kernel = choice.kernel;
-  s.spacing = spacing;
-  const auto simulation = Simulation::compile(s, {});
-  const auto job = make_strength_reduction(*simulation);
-  job->set("levels", levels);
-  job->run(0, {});
-  const JobResult& r = job->result();
-  return {std::fabs(r.factor_of_safety - 1), simulation->particle_count(), r.steps, simulation->get("bytes")};
+  s.bond = choice.bond, s.kernel = choice.kernel, s.spacing = choice.spacing;
+  return factor_of_safety_error(*Simulation::compile(s, options), levels);
 }
 
-Outcome vertical_cut_1(const SceneDef& c, double h) { return factor_of_safety("vertical_cut", 1, c, h); }
-Outcome vertical_cut_2(const SceneDef& c, double h) { return factor_of_safety("vertical_cut", 2, c, h); }
-Outcome prandtl_1(const SceneDef& c, double h) { return factor_of_safety("prandtl_strip", 1, c, h); }
-Outcome prandtl_2(const SceneDef& c, double h) { return factor_of_safety("prandtl_strip", 2, c, h); }
-Outcome slope_45_1(const SceneDef& c, double h) { return factor_of_safety("slope_45", 1, c, h); }
-Outcome slope_45_2(const SceneDef& c, double h) { return factor_of_safety("slope_45", 2, c, h); }
+using Options = CompileOptions;
+Outcome vertical_cut_1(const SceneDef& c, const Options& o) { return factor_of_safety("vertical_cut", 1, c, o); }
+Outcome vertical_cut_2(const SceneDef& c, const Options& o) { return factor_of_safety("vertical_cut", 2, c, o); }
+Outcome prandtl_1(const SceneDef& c, const Options& o) { return factor_of_safety("prandtl_strip", 1, c, o); }
+Outcome prandtl_2(const SceneDef& c, const Options& o) { return factor_of_safety("prandtl_strip", 2, c, o); }
+Outcome strip_on_slope_1(const SceneDef& c, const Options& o) { return factor_of_safety("prandtl_60", 1, c, o); }
+Outcome strip_on_slope_2(const SceneDef& c, const Options& o) { return factor_of_safety("prandtl_60", 2, c, o); }
+Outcome slope_45_1(const SceneDef& c, const Options& o) { return factor_of_safety("slope_45", 1, c, o); }
+Outcome slope_45_2(const SceneDef& c, const Options& o) { return factor_of_safety("slope_45", 2, c, o); }
 
 constexpr const char* kKind = "|FS - 1|";
 constexpr Problem kProblems[] = {
@@ -45,6 +39,9 @@ constexpr Problem kProblems[] = {
     {"vertical_cut_two_grids", kKind, "as before, extrapolated", 10, 40, vertical_cut_2},
     {"prandtl", kKind, "q = (2 + pi) c, Prandtl 1921; rungs of the strip's width", 4, 20, prandtl_1},
     {"prandtl_two_grids", kKind, "as before, extrapolated", 4, 20, prandtl_2},
+    {"strip_on_slope", kKind, "q = c (2 + pi - 2 b) at the edge of a slope of b = 60 degrees; rungs of the strip", 10, 40,
+     strip_on_slope_1},
+    {"strip_on_slope_two_grids", kKind, "as before, extrapolated", 10, 40, strip_on_slope_2},
     {"slope_45", kKind, "gamma H / c = 6.012, this project's extrapolated number", 10, 40, slope_45_1},
     {"slope_45_two_grids", kKind, "as before, extrapolated", 10, 40, slope_45_2},
 };
