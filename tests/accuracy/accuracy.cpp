@@ -42,7 +42,7 @@ Outcome run_rung(const Problem& p, const SceneDef& choice, int threads) {
   try {
     out = p.run(choice, options);
   } catch (const Error& error) {
-    out.error = std::nan("");
+    out = Outcome{}, out.error = std::nan("");
     std::fprintf(stderr, "%s at %g m: %s\n", p.name, choice.spacing, error.what());
   }
   std::printf("%s,%s,%s,%d,%g,%lld,%.6g,%s,%.4f,%.4f,%lld,%.0f,%016llx\n", p.name, choice.bond.c_str(),
@@ -94,7 +94,8 @@ std::vector<int> numbers(const char* list) {
   for (const char* at = list; *at != 0;) {
     char* end = nullptr;
     out.push_back(static_cast<int>(std::strtol(at, &end, 10)));
-    if (end == at || out.back() < 1) std::fprintf(stderr, "--threads needs numbers from 1 on, not %s\n", list), std::exit(2);
+    if (end == at || out.back() < 1)
+      std::fprintf(stderr, "--threads needs numbers from 1 on, not %s\n", list), std::exit(2);
     at = *end == ',' ? end + 1 : end;
   }
   return out;
@@ -119,9 +120,9 @@ int main(int argc, char** argv) {
   const accuracy::Options options = accuracy::parse(argc, argv);
   std::puts("case,bond,kernel,threads,spacing,particles,error,error_kind,cpu_s,wall_s,steps,bytes,hash");
   bool agree = true;
-  for (const auto problems : {accuracy::elastic_problems, accuracy::wave_problems, accuracy::cavity_problems,
-                              accuracy::element_problems, accuracy::limit_problems, accuracy::motion_problems,
-                              accuracy::column_problems})
+  for (const auto problems :
+       {accuracy::elastic_problems, accuracy::wave_problems, accuracy::cavity_problems, accuracy::element_problems,
+        accuracy::limit_problems, accuracy::motion_problems, accuracy::column_problems})
     for (const accuracy::Problem& p : problems())
       if (accuracy::wants(options, p.name)) agree &= accuracy::run(p, options);
   return agree ? 0 : 1;

@@ -1,5 +1,7 @@
 // Exact collapse loads, as factors of safety whose true value is 1: each on one grid and extrapolated over two.
+#include <cmath>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 #include "exchange/scene_buffer.h"
@@ -33,17 +35,30 @@ Outcome strip_on_slope_2(const SceneDef& c, const Options& o) { return factor_of
 Outcome slope_45_1(const SceneDef& c, const Options& o) { return factor_of_safety("slope_45", 1, c, o); }
 Outcome slope_45_2(const SceneDef& c, const Options& o) { return factor_of_safety("slope_45", 2, c, o); }
 
-constexpr const char* kKind = "|FS - 1|";
+/// A face of 1.5 : 1 without cohesion: the skin slides, whatever its thickness.
+Outcome infinite_slope(const SceneDef& choice, const Options& options) {
+  constexpr double kFriction = 35, kRun = 1.5;
+  MaterialDef sand = elastic_material();
+  sand.law = "mohr_coulomb", sand.cohesion = 0, sand.friction_angle = kFriction;
+  SceneDef s = rectangle(choice, sand, 1, 1);
+  s.exterior = {{0, 0}, {12 + 10 * kRun, 0}, {12, 10}, {0, 10}};
+  s.boundaries = {held("base", BoundaryKind::kFixed), held("left", BoundaryKind::kRoller)};
+  const double exact = std::tan(kFriction * std::numbers::pi / 180) * kRun;
+  return factor_of_safety_error(*Simulation::compile(s, options), 1, exact);
+}
+
+constexpr const char* kKind = "|FS / exact - 1|";
 constexpr Problem kProblems[] = {
     {"vertical_cut", kKind, "gamma H / c = 3.776, Pastor et al. 2000 bounds", 10, 40, vertical_cut_1},
     {"vertical_cut_two_grids", kKind, "as before, extrapolated", 10, 40, vertical_cut_2},
     {"prandtl", kKind, "q = (2 + pi) c, Prandtl 1921; rungs of the strip's width", 4, 20, prandtl_1},
     {"prandtl_two_grids", kKind, "as before, extrapolated", 4, 20, prandtl_2},
-    {"strip_on_slope", kKind, "q = c (2 + pi - 2 b) at the edge of a slope of b = 60 degrees; rungs of the strip", 10, 40,
-     strip_on_slope_1},
+    {"strip_on_slope", kKind, "q = c (2 + pi - 2 b) at the edge of a slope of b = 60 degrees; rungs of the strip", 10,
+     40, strip_on_slope_1},
     {"strip_on_slope_two_grids", kKind, "as before, extrapolated", 10, 40, strip_on_slope_2},
     {"slope_45", kKind, "gamma H / c = 6.012, this project's extrapolated number", 10, 40, slope_45_1},
     {"slope_45_two_grids", kKind, "as before, extrapolated", 10, 40, slope_45_2},
+    {"infinite_slope", kKind, "tan phi / tan beta = 1.0503, closed form", 10, 40, infinite_slope},
 };
 
 }  // namespace

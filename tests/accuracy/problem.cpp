@@ -51,12 +51,30 @@ Outcome outcome(const Simulation& simulation, double error, std::int64_t steps) 
   return {error, simulation.particle_count(), steps, simulation.get("bytes"), simulation.state_hash()};
 }
 
-Outcome factor_of_safety_error(Simulation& simulation, int levels) {
+double polar_stress_error(const Simulation& simulation, const Point& centre, double scale,
+                          const std::function<double(double)>& radial, const std::function<double(double)>& hoop) {
+  const std::vector<double> x = field(simulation, "position"), stress = field(simulation, "stress"),
+                            boundary = field(simulation, "boundary");
+  double sum = 0;
+  std::size_t soil = 0;
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    if (boundary[i] >= 0) continue;
+    const double to_x = x[2 * i] - centre.x, to_y = x[2 * i + 1] - centre.y;
+    const double r = std::hypot(to_x, to_y), c = to_x / r, d = to_y / r;
+    const double* const s = stress.data() + 4 * i;
+    const double off_r = c * c * s[0] + 2 * c * d * s[3] + d * d * s[1] - radial(r);
+    const double off_h = d * d * s[0] - 2 * c * d * s[3] + c * c * s[1] - hoop(r);
+    sum += (off_r * off_r + off_h * off_h) / 2, ++soil;
+  }
+  return std::sqrt(sum / static_cast<double>(soil)) / scale;
+}
+
+Outcome factor_of_safety_error(Simulation& simulation, int levels, double exact) {
   const auto job = make_strength_reduction(simulation);
   job->set("levels", levels);
   job->run(0, {});
   const JobResult& r = job->result();
-  return outcome(simulation, std::fabs(r.factor_of_safety - 1), r.steps);
+  return outcome(simulation, std::fabs(r.factor_of_safety / exact - 1), r.steps);
 }
 
 }  // namespace vbgpd::accuracy

@@ -1,6 +1,7 @@
 // A problem with a known answer: what is asked of the engine, and how far it is off.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,8 @@ std::span<const Problem> column_problems();
 // What problems have in common.
 
 std::vector<double> field(const Simulation& simulation, const char* name);
+/// As kv: a scene must have some weight left.
+inline constexpr double kNoWeight = -1 + 1e-12;
 /// A material without strength, 20 kN/m3, E = 1e8 Pa, nu = 0.3.
 MaterialDef elastic_material();
 /// `choice` with one soil in a rectangle at the origin and nothing that holds it.
@@ -53,7 +56,10 @@ BoundaryDef held(const char* side, BoundaryKind kind);
 /// Without strengths to an unbalanced force ratio of `rest`; the steps it took.
 std::int64_t relax_to_rest(Simulation& simulation, double rest = 1e-8);
 Outcome outcome(const Simulation& simulation, double error, std::int64_t steps);
-/// |FS - 1| of a simulation that is about to fail, with so many grids.
-Outcome factor_of_safety_error(Simulation& simulation, int levels);
+/// Root mean square error of the radial and the hoop stress of the soil about a centre, in units of `scale`.
+double polar_stress_error(const Simulation& simulation, const Point& centre, double scale,
+                          const std::function<double(double)>& radial, const std::function<double(double)>& hoop);
+/// |FS / exact - 1|, with so many grids.
+Outcome factor_of_safety_error(Simulation& simulation, int levels, double exact = 1);
 
 }  // namespace vbgpd::accuracy
