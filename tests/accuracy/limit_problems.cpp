@@ -47,6 +47,29 @@ Outcome infinite_slope(const SceneDef& choice, const Options& options) {
   return factor_of_safety_error(*Simulation::compile(s, options), 1, exact);
 }
 
+/// A wall of height H before clay on a rough base, with the pressure gamma z -+ 2 c on it that just holds the clay, or
+/// just pushes it. The pressure acts on the first column of particles, half a spacing inside.
+Outcome rankine(const SceneDef& choice, const Options& options, double sign) {
+  constexpr double kHeight = 10;
+  MaterialDef clay = elastic_material();
+  clay.law = "undrained", clay.cohesion = clay.unit_weight * kHeight / 8;
+  SceneDef s = rectangle(choice, clay, 2.5 * kHeight, kHeight);
+  s.boundaries = {held("base", BoundaryKind::kFixed), held("right", BoundaryKind::kRoller)};
+  const auto simulation = Simulation::compile(s, options);
+  const std::vector<double> boundary = field(*simulation, "boundary");
+  std::vector<double> force = field(*simulation, "reference_position");
+  const double dx = simulation->get("spacing_x"), dy = simulation->get("spacing_y");
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    const bool first = boundary[i] < 0 && force[2 * i] < dx;
+    const double pressure = clay.unit_weight * (kHeight - force[2 * i + 1]) + sign * 2 * clay.cohesion;
+    force[2 * i] = first ? pressure * dy : 0, force[2 * i + 1] = 0;
+  }
+  simulation->write(find_field("external_force"), force);
+  return factor_of_safety_error(*simulation, 1);
+}
+Outcome rankine_active(const SceneDef& c, const Options& o) { return rankine(c, o, -1); }
+Outcome rankine_passive(const SceneDef& c, const Options& o) { return rankine(c, o, 1); }
+
 constexpr const char* kKind = "|FS / exact - 1|";
 constexpr Problem kProblems[] = {
     {"vertical_cut", kKind, "gamma H / c = 3.776, Pastor et al. 2000 bounds", 10, 40, vertical_cut_1},
@@ -58,6 +81,8 @@ constexpr Problem kProblems[] = {
     {"strip_on_slope_two_grids", kKind, "as before, extrapolated", 10, 40, strip_on_slope_2},
     {"slope_45", kKind, "gamma H / c = 6.012, this project's extrapolated number", 10, 40, slope_45_1},
     {"slope_45_two_grids", kKind, "as before, extrapolated", 10, 40, slope_45_2},
+    {"rankine_active", kKind, "gamma z - 2 c, closed form", 10, 40, rankine_active},
+    {"rankine_passive", kKind, "gamma z + 2 c, closed form", 10, 40, rankine_passive},
     {"infinite_slope", kKind, "tan phi / tan beta = 1.0503, closed form", 10, 40, infinite_slope},
 };
 
