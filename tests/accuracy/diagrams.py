@@ -13,11 +13,12 @@ import sys
 
 # Every case belongs to one picture; `patch` is round-off at every spacing and has no diagram.
 GROUPS = {
-    "elastic": ["column_stress", "column_settlement", "column_period", "wave_compression", "wave_shear", "cavity_stress",
-                "disk_stress"],
+    "elastic": ["column_stress", "column_settlement", "column_period", "wave_compression", "wave_shear", "plate_period",
+                "cavity_stress", "disk_stress"],
     "limit": ["vertical_cut", "vertical_cut_two_grids", "prandtl", "prandtl_two_grids", "strip_on_slope",
               "strip_on_slope_two_grids", "slope_45", "slope_45_two_grids", "cavity_limit", "cavity_limit_two_grids",
-              "uniaxial", "biaxial_mohr_coulomb", "biaxial_drucker_prager", "shear_band", "infinite_slope"],
+              "uniaxial", "biaxial_mohr_coulomb", "biaxial_drucker_prager", "shear_band", "rankine_active",
+              "rankine_passive", "infinite_slope"],
     "runout": ["sliding_block", "disk_turn", "simple_shear", "column_half", "column_1", "column_2", "column_4", "bars"],
 }
 COLOURS = {"virtual_bond": "tab:blue", "none": "tab:red", "sph": "tab:gray", "sph_artificial_stress": "tab:olive",
@@ -105,7 +106,7 @@ def draw_group(cases, path):
             line, = axis.loglog([p[2] for p in points], [p[1] for p in points], style, color=COLOURS.get(bond, "black"),
                                 marker="o" if style == "-" else "s", markersize=3.5, linewidth=1.2,
                                 label=f"{order(points):.1f}")
-            shown.setdefault(f"{bond}, {kernel}", line)
+            shown.setdefault(f"{bond}, {kernel}" if len({k for _, k in lines}) > 1 else bond, line)
         axis.set_title(case, fontsize=10)
         axis.tick_params(labelsize=8, which="both")
         axis.grid(True, which="major", linewidth=0.4)
@@ -116,8 +117,8 @@ def draw_group(cases, path):
         axis.set_xlabel("CPU seconds", fontsize=9)
     for axis in list(axes.flat)[len(cases):]:
         axis.axis("off")
-    figure.legend(shown.values(), shown.keys(), loc="upper center", ncol=min(4, len(shown)), fontsize=9, frameon=False)
-    figure.tight_layout(rect=(0, 0, 1, 1 - 0.55 / (3.1 * rows + 0.5)))
+    figure.legend(shown.values(), shown.keys(), loc="upper center", ncol=6, fontsize=9, frameon=False)
+    figure.tight_layout(rect=(0, 0, 1, 1 - 0.3 / (3.1 * rows + 0.5)))
     figure.savefig(path, dpi=90)
 
 
