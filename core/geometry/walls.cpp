@@ -52,8 +52,8 @@ class WallBuilder {
     });
     std::vector<Seed> result;
     for (const WallCell& cell : cells_) {
-      if (!result.empty() && result.back().ix == cell.ix && result.back().iy == cell.iy) continue;
-      result.push_back(seed(cell));
+      if (result.empty() || result.back().ix != cell.ix || result.back().iy != cell.iy) result.push_back(seed(cell));
+      else if (both_rollers(result.back(), *cell.edge)) result.back().hold = Hold::kFixed;
     }
     return result;
   }
@@ -104,6 +104,11 @@ class WallBuilder {
         if (depth > -kSlack * h_ && near(Vec2(depth, 0))) add(inner + step * k, iy, std::max(depth, Real(0)), edge);
       }
     }
+  }
+
+  // In the corner of two rollers each holds what the other lets slide.
+  static bool both_rollers(const Seed& wall, const HeldEdge& edge) {
+    return wall.hold == Hold::kRoller && edge.hold == Hold::kRoller && wall.normal.dot(edge.normal) < 1 - kSlack;
   }
 
   // First soil met when going back along the normal.

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "problem.h"
-#include "simulation/simulation.h"
 
 namespace vbgpd::accuracy {
 
@@ -14,27 +13,12 @@ constexpr double kHeight = 10, kUnitWeight = 20e3, kYoung = 1e8, kPoisson = 0.3,
 constexpr double kModulus = kYoung * (1 - kPoisson) / ((1 + kPoisson) * (1 - 2 * kPoisson));
 
 /// A block with smooth sides on a fixed base: one-dimensional compression.
-SceneDef column(const SceneDef& choice, double spacing) {
-  SceneDef s = choice;
-  MaterialDef m;
-  m.name = "soil", m.law = "elastic";
-  m.unit_weight = kUnitWeight, m.young_modulus = kYoung, m.poisson_ratio = kPoisson;
-  s.exterior = {{0, 0}, {kHeight / 2, 0}, {kHeight / 2, kHeight}, {0, kHeight}};
-  s.materials = {m};
-  s.layers = {{"soil", {}}};
-  BoundaryDef base, left, right;
-  base.side = "base";
-  left.side = "left", right.side = "right";
-  left.kind = right.kind = BoundaryKind::kRoller;
-  s.boundaries = {base, left, right};
-  s.spacing = spacing;
+SceneDef column(const SceneDef& choice) {
+  SceneDef s = rectangle(choice, elastic_material(), kHeight / 2, kHeight);
+  s.boundaries = {held("base", BoundaryKind::kFixed), held("left", BoundaryKind::kRoller),
+                  held("right", BoundaryKind::kRoller)};
+  s.gravity = kGravity;
   return s;
-}
-
-std::vector<double> field(const Simulation& simulation, const char* name) {
-  std::vector<double> values;
-  simulation.read(find_field(name), values);
-  return values;
 }
 
 std::vector<double> heights(const Simulation& simulation) {
@@ -44,25 +28,9 @@ std::vector<double> heights(const Simulation& simulation) {
   return y;
 }
 
-std::int64_t relax_to_rest(Simulation& simulation) {
-  RelaxOptions elastic;
-  elastic.elastic = true;
-  std::int64_t steps = 0;
-  for (constexpr std::int64_t kMost = 200000; steps < kMost;) {
-    const RelaxReport r = simulation.relax(10, elastic);
-    steps += r.steps;
-    if (r.unbalanced_force_ratio < 1e-8) break;
-  }
-  return steps;
-}
-
-Outcome outcome(const Simulation& simulation, double error, std::int64_t steps) {
-  return {error, simulation.particle_count(), steps, simulation.get("bytes")};
-}
-
 /// Root mean square of sigma_yy - gamma (y - H) over the soil, in units of gamma H.
-Outcome column_stress(const SceneDef& choice, double spacing) {
-  const auto simulation = Simulation::compile(column(choice, spacing), {});
+Outcome column_stress(const SceneDef& choice, const CompileOptions& options) {
+  const auto simulation = Simulation::compile(column(choice), options);
   const std::int64_t steps = relax_to_rest(*simulation);
   const std::vector<double> y = heights(*simulation), stress = field(*simulation, "stress");
   double sum = 0;
@@ -76,8 +44,8 @@ Outcome column_stress(const SceneDef& choice, double spacing) {
 }
 
 /// Largest error of u_y = gamma (y^2/2 - H y) / M, in units of the settlement of the surface gamma H^2 / 2 M.
-Outcome column_settlement(const SceneDef& choice, double spacing) {
-  const auto simulation = Simulation::compile(column(choice, spacing), {});
+Outcome column_settlement(const SceneDef& choice, const CompileOptions& options) {
+  const auto simulation = Simulation::compile(column(choice), options);
   const std::int64_t steps = relax_to_rest(*simulation);
   const std::vector<double> y = heights(*simulation), u = field(*simulation, "displacement");
   const double surface = kUnitWeight * kHeight * kHeight / (2 * kModulus);
@@ -92,8 +60,8 @@ Outcome column_settlement(const SceneDef& choice, double spacing) {
 
 /// Gravity switched on at once: the column swings with T = 4 H / c_p. First return of the top row to where it began,
 /// located by the zero of its velocity, against T (first mode 96 % of the motion, all modes return at T).
-Outcome column_period(const SceneDef& choice, double spacing) {
-  const auto simulation = Simulation::compile(column(choice, spacing), {});
+Outcome column_period(const SceneDef& choice, const CompileOptions& options) {
+  const auto simulation = Simulation::compile(column(choice), options);
   const std::vector<double> y = heights(*simulation);
   std::size_t top = 0;
   for (std::size_t i = 0; i < y.size(); ++i)

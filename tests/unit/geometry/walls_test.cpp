@@ -24,6 +24,20 @@ TEST(Walls, BoxHasBaseSidesAndCorners) {
   EXPECT_EQ(section.boundaries[seed_at(section, 2, -1)->boundary].side, "base");
 }
 
+TEST(Walls, CornerOfTwoRollersIsHeldBothWays) {
+  SceneDef scene = scene_of(box());
+  for (const char* side : {"base", "left"}) {
+    BoundaryDef roller;
+    roller.side = side, roller.kind = BoundaryKind::kRoller;
+    scene.boundaries.push_back(roller);
+  }
+  const Section section = cut(scene, 1.0);
+  EXPECT_EQ(count(section, Hold::kFixed), 3 * 3);
+  EXPECT_EQ(seed_at(section, -1, -1)->hold, Hold::kFixed);
+  EXPECT_EQ(seed_at(section, -1, 0)->hold, Hold::kRoller);
+  EXPECT_EQ(seed_at(section, 0, -1)->hold, Hold::kRoller);
+}
+
 TEST(Walls, NormalsPointOutOfTheSoil) {
   const Section section = cut(scene_of(box()), 1.0);
   EXPECT_EQ(seed_at(section, -1, 2)->normal, Vec2(-1, 0));
