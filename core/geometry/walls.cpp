@@ -7,6 +7,7 @@ namespace vbgpd {
 namespace {
 
 constexpr Real kSlack = 1e-6;  // of a cell: round-off of cell centres against edges
+constexpr Real kCorner = 0.7;  // cosine between the normals of two rollers: less is a corner, more a bend
 
 int rank(Hold hold) { return hold == Hold::kFixed ? 0 : hold == Hold::kVelocity ? 1 : 2; }
 
@@ -108,7 +109,7 @@ class WallBuilder {
 
   // In the corner of two rollers each holds what the other lets slide.
   static bool both_rollers(const Seed& wall, const HeldEdge& edge) {
-    return wall.hold == Hold::kRoller && edge.hold == Hold::kRoller && wall.normal.dot(edge.normal) < 1 - kSlack;
+    return wall.hold == Hold::kRoller && edge.hold == Hold::kRoller && wall.normal.dot(edge.normal) < kCorner;
   }
 
   // First soil met when going back along the normal.

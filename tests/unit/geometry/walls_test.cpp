@@ -38,6 +38,16 @@ TEST(Walls, CornerOfTwoRollersIsHeldBothWays) {
   EXPECT_EQ(seed_at(section, 0, -1)->hold, Hold::kRoller);
 }
 
+TEST(Walls, BendOfARollerGoesOnSliding) {
+  SceneDef scene = scene_of({{0, 1}, {5, 0}, {10, 1}, {10, 8}, {0, 8}});
+  BoundaryDef roller;
+  roller.polyline = {{0, 1}, {5, 0}, {10, 1}}, roller.kind = BoundaryKind::kRoller;
+  scene.boundaries.push_back(roller);
+  const Section section = cut(scene, 0.5);
+  EXPECT_GT(count(section, Hold::kRoller), 40);
+  EXPECT_EQ(count(section, Hold::kFixed), 0);
+}
+
 TEST(Walls, NormalsPointOutOfTheSoil) {
   const Section section = cut(scene_of(box()), 1.0);
   EXPECT_EQ(seed_at(section, -1, 2)->normal, Vec2(-1, 0));
