@@ -160,6 +160,7 @@ FlowControls FlowSimulation::controls() const {
   c.time_step = model_.time_step;
   c.local_damping = damping_;
   c.inverse_support = 1 / model_.support;
+  c.support2 = model_.support * model_.support;
   c.weight_scale = 35 / (4 * kPi * h * h * h * h);
   c.softening = 0.01 * h * h;
   c.viscosity = model_.viscosity;

@@ -118,7 +118,7 @@ struct FlowScratch {
   Array next_stress;          ///< [4(n + 1)]
   Array gradient;             ///< L: xx, xy, yx, yy
   Array bond;                 ///< return ratio, 1/omega0, chi G, volume
-  Array inverse;              ///< M^-1: xx, xy, yy
+  Array inverse;              ///< M^-1: xx, xy, yy; how many packs of soil reach into the support
   Array flux;                 ///< P = Z M^-1 / V: xx, xy, yx, yy
   Array slope_x, slope_y;     ///< gradient of the four stress components, with laws that diffuse them
   Array artificial;           ///< artificial stress xx, yy, xy, with the law that has it

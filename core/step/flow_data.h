@@ -20,6 +20,7 @@ struct FlowControls {
   double time_step = 0;
   double local_damping = 0;    ///< alpha of f_d = -alpha |f| sgn v, for the gravity state only
   double inverse_support = 0;  ///< 1/(2h)
+  double support2 = 0;         ///< (2h)^2
   double weight_scale = 0;     ///< 35 / (4 pi h^4)
   double softening = 0;        ///< 0.01 h^2
   double viscosity = 0;        ///< alpha c h, m2/s
