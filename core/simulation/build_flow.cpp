@@ -108,25 +108,6 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
   }
 }
 
-/// What the pore water does at the hand-over: it stays with the particles from then on.
-void add_pore_water(const LatticeSimulation& from, FlowModel& m) {
-  std::vector<double> pressure;
-  from.read(find_field("pore_pressure"), pressure);
-  if (std::all_of(pressure.begin(), pressure.end(), [](double p) { return p == 0; })) return;
-  const Model& lattice = from.model();
-  Array by_storage;
-  by_storage.allocate(static_cast<std::size_t>(lattice.storage), 2, m.heap);
-  for (std::size_t k = 0; k < lattice.id_of.size(); ++k)
-    by_storage[static_cast<std::size_t>(lattice.storage_of[k])] = pressure[static_cast<std::size_t>(lattice.id_of[k])];
-  const auto n = static_cast<std::size_t>(m.particles);
-  m.pore_force_x.allocate(n, 0, m.heap), m.pore_force_y.allocate(n, 0, m.heap);
-  const PoreFlux flux(lattice, by_storage);
-  for_each_flux_force(lattice, flux.nodal(), [&](std::size_t i, std::size_t, const Vec2& force) {
-    const auto id = static_cast<std::size_t>(lattice.id_of[static_cast<std::size_t>(lattice.seed_of[i])]);
-    if (id < n) m.pore_force_x[id] += force.x(), m.pore_force_y[id] += force.y();  // soil comes first
-  });
-}
-
 /// The springs of Coulomb walls carry from the start what the shear stress of the row next to them carried there.
 void load_contacts(const FlowModel& m, FlowState& s) {
   for (const FlowWall& w : m.walls) {
@@ -165,7 +146,6 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
   add_materials(scene, m);
   m.walls = walls_of(from.section(), scene);
   add_particles(from, m);
-  add_pore_water(from, m);
   Real fastest = 0;
   for (std::size_t id = 0; id < m.material.size(); ++id) {
     const LawConstants& c = m.moduli[static_cast<std::size_t>(m.material[id])];
@@ -207,19 +187,32 @@ FlowState handed_over(const LatticeSimulation& from, const FlowModel& m) {
 }
 
 Outside handed_over_forces(const LatticeSimulation& from, const FlowModel& m) {
+  const auto n = static_cast<std::size_t>(m.particles);  // soil comes first
   std::vector<double> rows;
+  Outside outside;
   from.read(find_field("external_force"), rows);
-  rows.resize(2 * static_cast<std::size_t>(m.particles));  // soil comes first
-  return outside_of(rows, m.heap);
+  rows.resize(2 * n);
+  push_by(rows, m.heap, outside);
+  from.read(find_field("pore_pressure"), rows);
+  rows.resize(n);
+  outside.pore_pressure = pressure_of(rows, m.heap);
+  return outside;
 }
 
-Outside outside_of(const std::vector<double>& forces, const Heap& heap) {
-  Outside outside;
-  if (std::all_of(forces.begin(), forces.end(), [](double f) { return f == 0; })) return outside;
+void push_by(const std::vector<double>& forces, const Heap& heap, Outside& outside) {
+  outside.external_x = outside.external_y = Array{};
+  if (std::all_of(forces.begin(), forces.end(), [](double f) { return f == 0; })) return;
   outside.external_x.allocate(forces.size() / 2, 3, heap), outside.external_y.allocate(forces.size() / 2, 4, heap);
   for (std::size_t id = 0; id < forces.size() / 2; ++id)
     outside.external_x[id] = forces[2 * id], outside.external_y[id] = forces[2 * id + 1];
-  return outside;
+}
+
+Array pressure_of(const std::vector<double>& rows, const Heap& heap) {
+  Array pressure;
+  if (std::all_of(rows.begin(), rows.end(), [](double p) { return p == 0; })) return pressure;
+  pressure.allocate(rows.size(), 2, heap);
+  std::copy(rows.begin(), rows.end(), pressure.data());
+  return pressure;
 }
 
 }  // namespace vbgpd

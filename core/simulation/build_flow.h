@@ -15,10 +15,12 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
 /// Positions, stresses and plastic strain at the hand-over; velocities are zero.
 FlowState handed_over(const LatticeSimulation& from, const FlowModel& model);
 
-/// Forces that were set from outside, by particle id.
+/// Forces and pore pressures that were set from outside, by particle id.
 Outside handed_over_forces(const LatticeSimulation& from, const FlowModel& model);
 
-/// Rows x, y by particle id; absent when all are zero.
-Outside outside_of(const std::vector<double>& forces, const Heap& heap);
+/// The external force of rows x, y by particle id; absent when all are zero.
+void push_by(const std::vector<double>& forces, const Heap& heap, Outside& outside);
+/// A pore pressure by particle id; absent when all are zero.
+Array pressure_of(const std::vector<double>& rows, const Heap& heap);
 
 }  // namespace vbgpd

@@ -26,7 +26,7 @@ namespace {
 constexpr Real kBlank = 1e100;  // where the particle is that fills up packs: out of everyone's reach
 constexpr int kChunk = 128;     // particles a thread takes at a time
 
-std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.external_y.bytes(); }
+std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.external_y.bytes() + o.pore_pressure.bytes(); }
 
 }  // namespace
 
@@ -141,6 +141,7 @@ FlowData FlowSimulation::data(FlowState& s) const {
   d.walls = model_.walls.data(), d.soil = lists_.soil.data();
   d.constants = lists_.constants.data(), d.volume = lists_.volume.data(), d.force = lists_.force.data();
   d.extra_cohesion = lists_.extra_cohesion.data(), d.listed = s.listed.data();
+  d.pore_pressure = lists_.pore_pressure.data();
   d.stress = s.stress.data(), d.gap = s.gap.data(), d.plastic_strain = s.plastic_strain.data();
   d.wall_shear = s.wall_shear.data(), d.wall_limit = s.wall_limit.data(), d.traction = s.traction.data(),
   d.dead = s.dead.data();
@@ -219,7 +220,7 @@ std::shared_ptr<SavedState> FlowSimulation::save() const {
   auto saved = std::make_shared<Saved>();
   saved->state = state_, saved->last = last_, saved->ledger = ledger_;
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->peak_kinetic = peak_kinetic_;
-  saved->drive = drive_, saved->outside = outside_;
+  saved->drive = drive_, saved->outside = outside();
   saved->counted.emplace(saved_, saved->state.bytes() + bytes_of(saved->outside));
   return saved;
 }
@@ -230,7 +231,7 @@ Memory FlowSimulation::memory() const {
   m.state = state_.bytes();
   m.scratch = scratch_.bytes();
   m.copies = storage_ids_.capacity() * sizeof(std::int64_t);
-  m.outside = bytes_of(outside_);
+  m.outside = bytes_of(outside_) + model_.pore_pressure.bytes();
   m.saved = *saved_;
   return m;
 }
@@ -241,6 +242,7 @@ void FlowSimulation::restore(const SavedState& other) {
   FlowLists lists;
   FlowScratch scratch;
   list_neighbours(model_, state, lists);
+  lists.pore_pressure.allocate(saved.outside.pore_pressure.size(), 5, model_.heap);
   arrange(lists, scratch);
   take_forces(saved.drive, saved.outside);
   settle(std::move(state), std::move(lists), std::move(scratch));

@@ -33,7 +33,7 @@ class FlowSimulation final : public Simulation {
   void read(int field, std::vector<std::int64_t>& out) const override;
   std::uint64_t state_hash() const override { return state_.hash(); }
   Memory memory() const override;
-  /// velocity (whoever pushes does the work) and external_force.
+  /// velocity (whoever pushes does the work), external_force and pore_pressure.
   void write(int field, const std::vector<double>& rows) override;
   const Drive& drive() const override { return drive_; }
   void set_drive(const Drive& drive) override;
@@ -76,6 +76,7 @@ class FlowSimulation final : public Simulation {
   void run_step(const FlowControls& controls, FlowSums& sums);
   /// Forces of a drive and from outside, anew; when memory runs out, as before.
   void take_forces(Drive drive, Outside outside);
+  Outside outside() const;  ///< all that is set from outside, the water too
   void write_velocity(const std::vector<double>& rows);
   void open_ledger();
   Real stored_energy() const;
@@ -107,7 +108,7 @@ class FlowSimulation final : public Simulation {
   std::int64_t steps_ = 0, searches_ = 0, epoch_ = 0;
   bool yields_ = false;
   Drive drive_;
-  Outside outside_;                                ///< by particle id; its water is in the model
+  Outside outside_;                                ///< by particle id; its water is kept in the model
   mutable std::vector<std::int64_t> storage_ids_;  ///< particle ids in the present order, for views
 };
 

@@ -196,9 +196,13 @@ class Lister {
 }  // namespace
 
 void place_forces(const FlowModel& m, const FlowState& s, FlowLists& lists) {
+  const bool wet = m.pore_pressure.present();
+  if (lists.pore_pressure.size() != m.pore_pressure.size())
+    lists.pore_pressure.allocate(m.pore_pressure.size(), 5, m.heap);
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.particles); ++i) {
     const auto id = static_cast<std::size_t>(s.particle[i]);
     lists.force[2 * i] = m.force_x[id], lists.force[2 * i + 1] = m.force_y[id];
+    if (wet) lists.pore_pressure[i] = m.pore_pressure[id];
   }
 }
 

@@ -57,8 +57,8 @@ VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std
 }
 
 /// in  motion, gradient, stress, bond, slope_x (inverse moment)   in/out  traction   out  flux P = Z M^-1 / V with Z =
-/// V sigma - sum B tau (x) n/2, pair_force, artificial, and (kDiffuse) slope_x, slope_y: half the gradient of the
-/// stress among the soil
+/// V (sigma - p I) - sum B tau (x) n/2, pair_force, artificial, and (kDiffuse) slope_x, slope_y: half the gradient of
+/// the stress among the soil
 template <class PairLaw, bool kDiffuse>
 inline void bond_pass(const FlowData& shared, const FlowControls& shared_controls, int first, int last,
                       FlowSums& sums) {
@@ -76,8 +76,9 @@ inline void bond_pass(const FlowData& shared, const FlowControls& shared_control
     const double* const stress = d.stress + 4l * i;
     const double* const m = d.inverse + 4l * i;
     const double half = d.volume[i] > 0 ? 0.5 / d.volume[i] : 0;
-    const double zxx = stress[0] + stress[3] - half * z[0], zxy = stress[2] - half * z[1];
-    const double zyx = stress[2] - half * z[2], zyy = stress[1] + stress[3] - half * z[3];
+    const double total = stress[3] - (d.pore_pressure == nullptr ? 0 : d.pore_pressure[i]);
+    const double zxx = stress[0] + total - half * z[0], zxy = stress[2] - half * z[1];
+    const double zyx = stress[2] - half * z[2], zyy = stress[1] + total - half * z[3];
     double* const flux = d.flux + 4l * i;
     flux[0] = zxx * m[0] + zxy * m[1], flux[1] = zxx * m[1] + zxy * m[2];
     flux[2] = zyx * m[0] + zyy * m[1], flux[3] = zyx * m[1] + zyy * m[2];

@@ -174,6 +174,7 @@ inline void strain_pass(const FlowData& shared, const FlowControls& shared_contr
       const double volume = d.volume[i + k];
       d.bond[4l * (i + k)] = ratio[k], d.bond[4l * (i + k) + 1] = share[k];
       sums.internal += volume * update.work[k];
+      if (d.pore_pressure != nullptr) sums.external += volume * d.pore_pressure[i + k] * update.opening[k];
       if (update.return_ratio[k] < 1) sums.yielding += volume;
     }
   }

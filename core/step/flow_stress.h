@@ -19,6 +19,7 @@ struct FlowSoils {
 /// What one update did.
 struct StressUpdate {
   Pack return_ratio;  ///< sqrt(J2) / sqrt(J2 trial): 1 elastic, 0 stress free
+  Pack opening;       ///< tr L dt
   Pack work;          ///< sigma : L dt, Pa, with the mean of the stress before and after
 };
 
@@ -97,7 +98,7 @@ VBGPD_INLINE StressUpdate update_stress(const FlowSoils& soils, double dt, const
   }
   const Pack mxx = 0.5 * (rxx + s.xx), myy = 0.5 * (ryy + s.yy), mxy = 0.5 * (rxy + s.xy), mm = 0.5 * (stress.d + s.m);
   stress = {s.xx, s.yy, s.xy, s.m};
-  return {ratio, dt * ((mxx + mm) * lxx + (myy + mm) * lyy + mxy * (lxy + lyx))};
+  return {ratio, (lxx + lyy) * dt, dt * ((mxx + mm) * lxx + (myy + mm) * lyy + mxy * (lxy + lyx))};
 }
 
 }  // namespace VBGPD_ISA

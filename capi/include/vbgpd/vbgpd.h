@@ -318,7 +318,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_snapshot(const vbgpd_model*, void*
  * at rest) in updated-Lagrangian form: bonds come and go with the neighbours, walls are mirrors that go on straight beyond
  * the section where nothing adjoins. `from` may be fresh, loaded by an equilibrium job, or failed by a strength reduction; it
  * is not changed. The new model has soil only, same ids, and is stepped, set, read, saved like any other; loads stay on their
- * particles, pore water pushes them as at the hand-over. get_f64 also knows peak_kinetic_energy, viscous_dissipation, contact_work,
+ * particles, pore pressures move with them. get_f64 also knows peak_kinetic_energy, viscous_dissipation, contact_work,
  * yielding_area, viscosity (alpha c h, m2/s), neighbour_searches. VBGPD_E_STATE: `from` is one already; UNSUPPORTED: moving boundaries. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_runout(const vbgpd_model* from, vbgpd_model** out);
 /* Works on a run-out model. A model without stress is first brought to equilibrium under gravity without strengths (phase 1);
@@ -492,7 +492,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_events_read(vbgpd_model*, int64_t 
  *   stress - pore_pressure. The pressure goes on into the wall particles: set them too (_points and _grid do). Where it is
  *   not 0 at the ground, the water standing there is a load of its own. Jobs count it in, on every grid.
  * external_force (N per metre run, x and y): added to weight and loads.
- * velocity (m/s): of what walls do not hold; the energy ledger books it as external work. A run-out takes the last two.
+ * velocity (m/s): of what walls do not hold; the energy ledger books it as external work.
  * A number that is not finite gives VBGPD_E_RANGE with the particle in the error record's item. */
 /* n items in the order of the selection (NULL = all particles by id); n must be their number. strides as _read_f64. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_f64(vbgpd_model*, int32_t field, const vbgpd_selection* selection, const double* src, int64_t stride_item, int64_t stride_component, int64_t n);
