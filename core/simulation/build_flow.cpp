@@ -82,11 +82,24 @@ std::vector<FlowWall> walls_of(const Section& section, const SceneDef& scene) {
   return walls;
 }
 
+bool is_soil(const Seed& seed) { return seed.hold == Hold::kFree && seed.active; }
+
+/// Rows of the soil that is there, one after the other as a run-out numbers it.
+std::vector<double> soil_rows(const LatticeSimulation& from, const char* field, std::size_t components) {
+  std::vector<double> all, rows;
+  from.read(find_field(field), all);
+  for (std::size_t k = 0; k < from.section().seeds.size(); ++k) {
+    if (!is_soil(from.section().seeds[k])) continue;
+    const std::size_t row = components * static_cast<std::size_t>(from.model().id_of[k]);
+    for (std::size_t c = 0; c < components; ++c) rows.push_back(all[row + c]);
+  }
+  return rows;
+}
+
 void add_particles(const LatticeSimulation& from, FlowModel& m) {
   const Section& section = from.section();
   const Model& lattice = from.model();
-  m.particles =
-      std::count_if(section.seeds.begin(), section.seeds.end(), [](const Seed& s) { return s.hold == Hold::kFree; });
+  m.particles = std::count_if(section.seeds.begin(), section.seeds.end(), is_soil);
   const auto n = static_cast<std::size_t>(m.particles);
   for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.weight, &m.reference_x, &m.reference_y, &m.size})
     a->allocate(n, 0, m.heap);
@@ -95,10 +108,12 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
   m.surface_area.allocate(loaded ? n : 0, 0, m.heap);
   m.extra_cohesion.allocate(lattice.extra_cohesion.present() ? n : 0, 0, m.heap);
   m.material.resize(n);
+  std::size_t next = 0;
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
     const Seed& seed = section.seeds[k];
-    if (seed.hold != Hold::kFree) continue;
-    const auto id = static_cast<std::size_t>(lattice.id_of[k]), i = static_cast<std::size_t>(lattice.storage_of[k]);
+    if (!is_soil(seed)) continue;
+    const std::size_t id = next++;
+    const auto i = static_cast<std::size_t>(lattice.storage_of[k]);
     m.volume[id] = seed.volume, m.mass[id] = lattice.mass[i], m.size[id] = std::sqrt(seed.volume);
     m.weight[id] = from.scene().materials[static_cast<std::size_t>(seed.material)].unit_weight * seed.volume;
     if (loaded) m.surface_area[id] = area[i];
@@ -166,13 +181,8 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
 FlowState handed_over(const LatticeSimulation& from, const FlowModel& m) {
   FlowState s;
   s.allocate(m);
-  const auto read = [&](const char* name) {
-    std::vector<double> values;
-    from.read(find_field(name), values);
-    return values;
-  };
-  const std::vector<double> displacement = read("displacement"), stress = read("stress"),
-                            plastic = read("plastic_strain");
+  const std::vector<double> displacement = soil_rows(from, "displacement", 2), stress = soil_rows(from, "stress", 4),
+                            plastic = soil_rows(from, "plastic_strain", 1);
   for (std::size_t id = 0; id < static_cast<std::size_t>(m.particles); ++id) {
     s.particle[id] = static_cast<double>(id);
     s.motion[4 * id] = m.reference_x[id] + displacement[2 * id];
@@ -187,15 +197,9 @@ FlowState handed_over(const LatticeSimulation& from, const FlowModel& m) {
 }
 
 Outside handed_over_forces(const LatticeSimulation& from, const FlowModel& m) {
-  const auto n = static_cast<std::size_t>(m.particles);  // soil comes first
-  std::vector<double> rows;
   Outside outside;
-  from.read(find_field("external_force"), rows);
-  rows.resize(2 * n);
-  push_by(rows, m.heap, outside);
-  from.read(find_field("pore_pressure"), rows);
-  rows.resize(n);
-  outside.pore_pressure = pressure_of(rows, m.heap);
+  push_by(soil_rows(from, "external_force", 2), m.heap, outside);
+  outside.pore_pressure = pressure_of(soil_rows(from, "pore_pressure", 1), m.heap);
   return outside;
 }
 

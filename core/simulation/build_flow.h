@@ -6,9 +6,10 @@
 
 namespace vbgpd {
 
-/// Particles at the centroids of their cells, displaced as they are now; strengths, weights and loads as they were.
-/// Dilatancy is left out: constant dilatancy would swell a flowing soil without end. A soil whose tension cut-off is
-/// not given carries no tension (pseudo-springs: that of c and phi). Throws Error(kUnsupported) for moving walls and
+/// Particles at the centroids of the cells whose soil is there, displaced as they are now, numbered one after the other
+/// (without layers switched off by the same ids); the walls of the whole profile; strengths, weights and loads as they
+/// were. Dilatancy is left out: constant dilatancy would swell a flowing soil without end. A soil whose tension cut-off
+/// is not given carries no tension (pseudo-springs: that of c and phi). Throws Error(kUnsupported) for moving walls and
 /// for kernels other than Wendland C2.
 FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& options);
 

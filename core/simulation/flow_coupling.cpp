@@ -52,7 +52,7 @@ void FlowSimulation::take_forces(Drive drive, Outside outside) {
     std::vector<std::size_t> id_of(section_.seeds.size());  // soil is numbered in the order of the seeds
     std::size_t next = 0;
     for (std::size_t k = 0; k < id_of.size(); ++k)
-      if (section_.seeds[k].hold == Hold::kFree) id_of[k] = next++;
+      if (section_.seeds[k].hold == Hold::kFree && section_.seeds[k].active) id_of[k] = next++;
     spread_surface_loads(
         drive.loads, section_, [&](std::size_t seed) { return model_.surface_area[id_of[seed]]; },
         [&](std::size_t seed, Real force) { y[id_of[seed]] += force; });

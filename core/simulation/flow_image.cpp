@@ -108,6 +108,7 @@ StateImage FlowSimulation::image() const {
     out.rows.push_back({"external_force", 2, std::move(force)});
   }
   if (model_.pore_pressure.present()) out.rows.push_back({"pore_pressure", 1, plain(model_.pore_pressure)});
+  add_layers(layers_, out);
   add_drive(drive_, out);
   return out;
 }
@@ -117,6 +118,7 @@ void FlowSimulation::restore_image(const StateImage& image) {
   if (image.particles != model_.particles)
     refuse_image("is of " + std::to_string(image.particles) + " particles; this model has " +
                  std::to_string(model_.particles));
+  if (layers_of(image, scene_.layers.size()) != layers_) refuse_image("is of a run-out of other layers");
   const auto n = static_cast<std::size_t>(model_.particles);
   const Real time = image_number(image, "time", 0, kLarge), steps = image_number(image, "steps", 0, kCount);
   const Real factor = image_number(image, "strength_reduction_factor", 1e-3, 1e3);

@@ -34,6 +34,7 @@ FlowSimulation::FlowSimulation(const LatticeSimulation& from, const FlowOptions&
     : scene_(from.scene()),
       options_(from.options()),
       section_(from.section()),
+      layers_(from.layers()),
       kernels_(kernels),
       model_(build_flow_model(from, options)),
       state_(handed_over(from, model_)),
@@ -262,9 +263,6 @@ std::unique_ptr<Simulation> make_runout(const Simulation& from, const FlowOption
   const auto* const lattice = dynamic_cast<const LatticeSimulation*>(&from);
   if (lattice == nullptr)
     throw Error(Status::kState, "this model is a run-out already; make a run-out from the model it came from");
-  if (!lattice->layers().empty())
-    throw Error(Status::kUnsupported,
-                "a run-out cannot be made of a model with layers switched off: draw a profile without their soil");
   auto made = std::make_unique<FlowSimulation>(*lattice, options);
   const double bytes = made->get("bytes");
   const std::int64_t most = from.options().max_bytes;

@@ -19,6 +19,7 @@ class FlowSimulation final : public Simulation {
   std::int64_t particle_count() const override { return model_.particles; }  ///< soil only: walls are mirrors
   std::int64_t bond_count() const override;
   bool runs_out() const override { return true; }
+  Layers layers() const override { return layers_; }  ///< of the model it was made from
   Monitors monitors() const override;
   /// Steps with local damping (0.7 unless given), with or without strengths: the gravity state before the release.
   RelaxReport relax(std::int64_t steps, const RelaxOptions& options) override;
@@ -93,6 +94,7 @@ class FlowSimulation final : public Simulation {
   CompileOptions options_;
   SavedTotal saved_ = std::make_shared<std::atomic<std::size_t>>(0);
   Section section_;
+  Layers layers_;  // empty = all
   const FlowKernels& kernels_;
   FlowModel model_;
   FlowState state_;
