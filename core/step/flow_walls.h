@@ -97,7 +97,8 @@ inline ContactForce image_force(const FlowData& d, const FlowControls& c, int i,
           scale * ((p[2] + q[2] + b[2]) * x + (p[3] + q[3] + b[3]) * y) + drag * y};
 }
 
-/// What of it the water in the pores carries: it has no friction.
+/// What of it the water in the pores carries: it has no friction. Of the growth by the weight it has the share that it
+/// has of the pressure.
 inline ContactForce image_water(const FlowData& d, const FlowControls& c, int i, std::int32_t j) {
   if (d.pore_pressure == nullptr) return {};
   const double *const own = d.motion + 4l * i, *const other = d.motion + 4l * j;
@@ -115,8 +116,13 @@ inline ContactForce image_water(const FlowData& d, const FlowControls& c, int i,
   flux(i, mine), flux(ghost.parent, its);
   mirror_flux(d.walls[ghost.wall], its);
   if (ghost.second >= 0) mirror_flux(d.walls[ghost.second], its);
-  return {scale * ((mine[0] + its[0]) * x + (mine[1] + its[1]) * y),
-          scale * ((mine[2] + its[2]) * x + (mine[3] + its[3]) * y)};
+  const FlowWall& w = d.walls[ghost.wall];
+  const double *const t = d.stress + 4l * ghost.parent, *const b = d.weight + 4l * (j - d.particles);
+  const double p = d.pore_pressure[ghost.parent];
+  const double total = p - (t[3] + t[0] * w.nx * w.nx + t[1] * w.ny * w.ny + 2 * t[2] * w.nx * w.ny);
+  const double share = total > 0 ? smaller(larger(p / total, 0), 1) : 0;
+  return {scale * ((mine[0] + its[0] + share * b[0]) * x + (mine[1] + its[1] + share * b[1]) * y),
+          scale * ((mine[2] + its[2] + share * b[2]) * x + (mine[3] + its[3] + share * b[3]) * y)};
 }
 
 /// Push of a wall on a particle nearer than half the guard distance: a spring with a dashpot, across the wall.
