@@ -17,7 +17,6 @@ std::vector<Number> rows_of(const Simulation& simulation, const char* field) {
 }
 
 std::vector<double> pressures_of(const Simulation& simulation) {
-  if (simulation.runs_out()) return {};  // its stress is total
   std::vector<double> pressures = rows_of<double>(simulation, "pore_pressure");
   const bool dry = std::all_of(pressures.begin(), pressures.end(), [](double p) { return p == 0; });
   return dry ? std::vector<double>() : pressures;

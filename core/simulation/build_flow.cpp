@@ -82,11 +82,24 @@ std::vector<FlowWall> walls_of(const Section& section, const SceneDef& scene) {
   return walls;
 }
 
+bool is_soil(const Seed& seed) { return seed.hold == Hold::kFree && seed.active; }
+
+/// Rows of the soil that is there, one after the other as a run-out numbers it.
+std::vector<double> soil_rows(const LatticeSimulation& from, const char* field, std::size_t components) {
+  std::vector<double> all, rows;
+  from.read(find_field(field), all);
+  for (std::size_t k = 0; k < from.section().seeds.size(); ++k) {
+    if (!is_soil(from.section().seeds[k])) continue;
+    const std::size_t row = components * static_cast<std::size_t>(from.model().id_of[k]);
+    for (std::size_t c = 0; c < components; ++c) rows.push_back(all[row + c]);
+  }
+  return rows;
+}
+
 void add_particles(const LatticeSimulation& from, FlowModel& m) {
   const Section& section = from.section();
   const Model& lattice = from.model();
-  m.particles =
-      std::count_if(section.seeds.begin(), section.seeds.end(), [](const Seed& s) { return s.hold == Hold::kFree; });
+  m.particles = std::count_if(section.seeds.begin(), section.seeds.end(), is_soil);
   const auto n = static_cast<std::size_t>(m.particles);
   for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.weight, &m.reference_x, &m.reference_y, &m.size})
     a->allocate(n, 0, m.heap);
@@ -95,10 +108,12 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
   m.surface_area.allocate(loaded ? n : 0, 0, m.heap);
   m.extra_cohesion.allocate(lattice.extra_cohesion.present() ? n : 0, 0, m.heap);
   m.material.resize(n);
+  std::size_t next = 0;
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
     const Seed& seed = section.seeds[k];
-    if (seed.hold != Hold::kFree) continue;
-    const auto id = static_cast<std::size_t>(lattice.id_of[k]), i = static_cast<std::size_t>(lattice.storage_of[k]);
+    if (!is_soil(seed)) continue;
+    const std::size_t id = next++;
+    const auto i = static_cast<std::size_t>(lattice.storage_of[k]);
     m.volume[id] = seed.volume, m.mass[id] = lattice.mass[i], m.size[id] = std::sqrt(seed.volume);
     m.weight[id] = from.scene().materials[static_cast<std::size_t>(seed.material)].unit_weight * seed.volume;
     if (loaded) m.surface_area[id] = area[i];
@@ -108,25 +123,6 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
     m.material[id] = seed.material;
     if (m.extra_cohesion.present()) m.extra_cohesion[id] = lattice.extra_cohesion[i];
   }
-}
-
-/// What the pore water does at the hand-over: it stays with the particles from then on.
-void add_pore_water(const LatticeSimulation& from, FlowModel& m) {
-  std::vector<double> pressure;
-  from.read(find_field("pore_pressure"), pressure);
-  if (std::all_of(pressure.begin(), pressure.end(), [](double p) { return p == 0; })) return;
-  const Model& lattice = from.model();
-  Array by_storage;
-  by_storage.allocate(static_cast<std::size_t>(lattice.storage), 2, m.heap);
-  for (std::size_t k = 0; k < lattice.id_of.size(); ++k)
-    by_storage[static_cast<std::size_t>(lattice.storage_of[k])] = pressure[static_cast<std::size_t>(lattice.id_of[k])];
-  const auto n = static_cast<std::size_t>(m.particles);
-  m.pore_force_x.allocate(n, 0, m.heap), m.pore_force_y.allocate(n, 0, m.heap);
-  const PoreFlux flux(lattice, by_storage);
-  for_each_flux_force(lattice, flux.nodal(), [&](std::size_t i, std::size_t, const Vec2& force) {
-    const auto id = static_cast<std::size_t>(lattice.id_of[static_cast<std::size_t>(lattice.seed_of[i])]);
-    if (id < n) m.pore_force_x[id] += force.x(), m.pore_force_y[id] += force.y();  // soil comes first
-  });
 }
 
 /// The springs of Coulomb walls carry from the start what the shear stress of the row next to them carried there.
@@ -167,7 +163,6 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
   add_materials(scene, m);
   m.walls = walls_of(from.section(), scene);
   add_particles(from, m);
-  add_pore_water(from, m);
   Real fastest = 0;
   for (std::size_t id = 0; id < m.material.size(); ++id) {
     const LawConstants& c = m.moduli[static_cast<std::size_t>(m.material[id])];
@@ -188,13 +183,8 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
 FlowState handed_over(const LatticeSimulation& from, const FlowModel& m) {
   FlowState s;
   s.allocate(m);
-  const auto read = [&](const char* name) {
-    std::vector<double> values;
-    from.read(find_field(name), values);
-    return values;
-  };
-  const std::vector<double> displacement = read("displacement"), stress = read("stress"),
-                            plastic = read("plastic_strain");
+  const std::vector<double> displacement = soil_rows(from, "displacement", 2), stress = soil_rows(from, "stress", 4),
+                            plastic = soil_rows(from, "plastic_strain", 1);
   for (std::size_t id = 0; id < static_cast<std::size_t>(m.particles); ++id) {
     s.particle[id] = static_cast<double>(id);
     s.motion[4 * id] = m.reference_x[id] + displacement[2 * id];
@@ -209,19 +199,26 @@ FlowState handed_over(const LatticeSimulation& from, const FlowModel& m) {
 }
 
 Outside handed_over_forces(const LatticeSimulation& from, const FlowModel& m) {
-  std::vector<double> rows;
-  from.read(find_field("external_force"), rows);
-  rows.resize(2 * static_cast<std::size_t>(m.particles));  // soil comes first
-  return outside_of(rows, m.heap);
+  Outside outside;
+  push_by(soil_rows(from, "external_force", 2), m.heap, outside);
+  outside.pore_pressure = pressure_of(soil_rows(from, "pore_pressure", 1), m.heap);
+  return outside;
 }
 
-Outside outside_of(const std::vector<double>& forces, const Heap& heap) {
-  Outside outside;
-  if (std::all_of(forces.begin(), forces.end(), [](double f) { return f == 0; })) return outside;
+void push_by(const std::vector<double>& forces, const Heap& heap, Outside& outside) {
+  outside.external_x = outside.external_y = Array{};
+  if (std::all_of(forces.begin(), forces.end(), [](double f) { return f == 0; })) return;
   outside.external_x.allocate(forces.size() / 2, 3, heap), outside.external_y.allocate(forces.size() / 2, 4, heap);
   for (std::size_t id = 0; id < forces.size() / 2; ++id)
     outside.external_x[id] = forces[2 * id], outside.external_y[id] = forces[2 * id + 1];
-  return outside;
+}
+
+Array pressure_of(const std::vector<double>& rows, const Heap& heap) {
+  Array pressure;
+  if (std::all_of(rows.begin(), rows.end(), [](double p) { return p == 0; })) return pressure;
+  pressure.allocate(rows.size(), 2, heap);
+  std::copy(rows.begin(), rows.end(), pressure.data());
+  return pressure;
 }
 
 }  // namespace vbgpd

@@ -1,6 +1,7 @@
 // compile: the one place that sees all choices.
 #include "geometry/check.h"
 #include "simulation/flow_simulation.h"
+#include "simulation/image_reader.h"
 
 namespace vbgpd {
 
@@ -51,7 +52,15 @@ std::unique_ptr<Simulation> Simulation::restored(const SceneDef& scene, const Co
   // come on top while the model it is made from lives.
   limited.max_particles = image.runs_out ? 16 * image.particles + 4096 : image.particles;
   std::unique_ptr<Simulation> made = compile(scene, limited);
-  if (image.runs_out) made = make_runout(*made);
+  if (image.runs_out) {
+    try {
+      if (const Layers layers = layers_of(image, scene.layers.size()); !layers.empty()) made->set_layers(layers);
+    } catch (const Error& error) {
+      if (error.issue().status == Status::kArgument) refuse_image("has layers that cannot be: " + error.issue().text);
+      throw;
+    }
+    made = make_runout(*made);
+  }
   made->restore_image(image);
   return made;
 }

@@ -12,16 +12,14 @@ void FlowSimulation::write(int field, const std::vector<double>& rows) {
   const FieldInfo& info = fields()[static_cast<std::size_t>(field)];
   const std::string_view name = info.name;
   if (!info.writable) throw Error(Status::kState, std::string("field '") + info.name + "' can be read, not written");
-  if (name == "pore_pressure")
-    throw Error(
-        Status::kUnsupported,
-        "pore_pressure cannot be written on a run-out model: write it on the model it is made from, whose water "
-        "goes on as forces on the particles");
-  if (rows.size() != 2 * static_cast<std::size_t>(model_.particles))
+  if (rows.size() != static_cast<std::size_t>(info.components) * static_cast<std::size_t>(model_.particles))
     throw Error(Status::kArgument, std::string("field '") + info.name + "' needs a row for every particle");
   require_finite(info, rows);
-  if (name == "velocity") write_velocity(rows);
-  else take_forces(drive_, outside_of(rows, model_.heap));
+  if (name == "velocity") return write_velocity(rows);
+  Outside changed = outside();
+  if (name == "pore_pressure") changed.pore_pressure = pressure_of(rows, model_.heap);
+  else push_by(rows, model_.heap, changed);
+  take_forces(drive_, std::move(changed));
 }
 
 void FlowSimulation::write_velocity(const std::vector<double>& rows) {
@@ -35,7 +33,13 @@ void FlowSimulation::write_velocity(const std::vector<double>& rows) {
 
 void FlowSimulation::set_drive(const Drive& drive) {
   require_drive(drive, drive_, section_);
-  take_forces(drive, outside_);
+  take_forces(drive, outside());
+}
+
+Outside FlowSimulation::outside() const {
+  Outside all = outside_;
+  all.pore_pressure = model_.pore_pressure;
+  return all;
 }
 
 void FlowSimulation::take_forces(Drive drive, Outside outside) {
@@ -48,7 +52,7 @@ void FlowSimulation::take_forces(Drive drive, Outside outside) {
     std::vector<std::size_t> id_of(section_.seeds.size());  // soil is numbered in the order of the seeds
     std::size_t next = 0;
     for (std::size_t k = 0; k < id_of.size(); ++k)
-      if (section_.seeds[k].hold == Hold::kFree) id_of[k] = next++;
+      if (section_.seeds[k].hold == Hold::kFree && section_.seeds[k].active) id_of[k] = next++;
     spread_surface_loads(
         drive.loads, section_, [&](std::size_t seed) { return model_.surface_area[id_of[seed]]; },
         [&](std::size_t seed, Real force) { y[id_of[seed]] += force; });
@@ -57,12 +61,17 @@ void FlowSimulation::take_forces(Drive drive, Outside outside) {
     for (std::size_t i = 0; i < from.size(); ++i) to[i] += from[i];
   };
   add(outside.external_x, x), add(outside.external_y, y);
-  add(model_.pore_force_x, x), add(model_.pore_force_y, y);
   Real scale = 0;
   for (std::size_t id = 0; id < n; ++id) scale += std::fabs(x[id]) + std::fabs(y[id]);
+  Array placed;  // made first: when memory runs out nothing has changed
+  if (lists_.force.present()) placed.allocate(outside.pore_pressure.size(), 5, model_.heap);
   model_.force_x = std::move(x), model_.force_y = std::move(y), model_.force_scale = scale;
+  model_.pore_pressure = std::move(outside.pore_pressure);
+  outside.pore_pressure = Array{};
   drive_ = std::move(drive), outside_ = std::move(outside);
-  if (lists_.force.present()) place_forces(model_, state_, lists_);
+  if (!lists_.force.present()) return;
+  lists_.pore_pressure = std::move(placed);
+  place_forces(model_, state_, lists_);
 }
 
 FieldView FlowSimulation::view(int field) const {

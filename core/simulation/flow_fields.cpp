@@ -43,7 +43,7 @@ void require_known(std::string_view name) {
   for (const std::string_view known :
        {"position", "reference_position", "displacement", "velocity", "stress", "plastic_strain",
         "plastic_bond_fraction", "volume", "mass", "material", "boundary", "particle_id", "external_force",
-        "bond_particles", "bond_state", "bond_stress", "bond_plastic_strain", "active"})
+        "pore_pressure", "bond_particles", "bond_state", "bond_stress", "bond_plastic_strain", "active"})
     if (name == known) return;
   throw Error(Status::kUnsupported, "a run-out has no field '" + std::string(name) + "'");
 }
@@ -91,6 +91,7 @@ void FlowSimulation::read_particles(int field, std::vector<double>& out) const {
     if (name == "plastic_bond_fraction") row[0] = bonds[i] > 0 ? yielded[i] / bonds[i] : 0;
     if (name == "volume") row[0] = model_.volume[id];
     if (name == "mass") row[0] = model_.mass[id];
+    if (name == "pore_pressure" && model_.pore_pressure.present()) row[0] = model_.pore_pressure[id];
     if (name == "external_force" && outside_.external_x.present())
       row[0] = outside_.external_x[id], row[1] = outside_.external_y[id];
   }

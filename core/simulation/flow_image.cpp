@@ -107,12 +107,8 @@ StateImage FlowSimulation::image() const {
     read(find_field("external_force"), force);
     out.rows.push_back({"external_force", 2, std::move(force)});
   }
-  if (model_.pore_force_x.present()) {
-    std::vector<double> force;
-    for (std::size_t id = 0; id < model_.pore_force_x.size(); ++id)
-      force.insert(force.end(), {model_.pore_force_x[id], model_.pore_force_y[id]});
-    out.rows.push_back({"pore_force", 2, std::move(force)});
-  }
+  if (model_.pore_pressure.present()) out.rows.push_back({"pore_pressure", 1, plain(model_.pore_pressure)});
+  add_layers(layers_, out);
   add_drive(drive_, out);
   return out;
 }
@@ -122,6 +118,7 @@ void FlowSimulation::restore_image(const StateImage& image) {
   if (image.particles != model_.particles)
     refuse_image("is of " + std::to_string(image.particles) + " particles; this model has " +
                  std::to_string(model_.particles));
+  if (layers_of(image, scene_.layers.size()) != layers_) refuse_image("is of a run-out of other layers");
   const auto n = static_cast<std::size_t>(model_.particles);
   const Real time = image_number(image, "time", 0, kLarge), steps = image_number(image, "steps", 0, kCount);
   const Real factor = image_number(image, "strength_reduction_factor", 1e-3, 1e3);
@@ -153,14 +150,12 @@ void FlowSimulation::restore_image(const StateImage& image) {
     if (!(size[id] >= 0 && size[id] <= std::sqrt(model.volume[id]))) refuse_image("has an impossible guard_size");
     model.size[id] = size[id];
   }
-  model.pore_force_x = model.pore_force_y = Array{};
-  if (const auto* force = image_rows(image, "pore_force", 2, n)) {
-    model.pore_force_x.allocate(n, 0, model.heap), model.pore_force_y.allocate(n, 0, model.heap);
-    for (std::size_t id = 0; id < n; ++id)
-      model.pore_force_x[id] = (*force)[2 * id], model.pore_force_y[id] = (*force)[2 * id + 1];
-  }
   const auto* pushed = image_rows(image, "external_force", 2, n);
-  Outside outside = pushed != nullptr ? outside_of(*pushed, model.heap) : Outside{};
+  const auto* water = image_rows(image, "pore_pressure", 1, n);
+  Outside outside;
+  if (pushed != nullptr) push_by(*pushed, model.heap, outside);
+  if (water != nullptr) outside.pore_pressure = pressure_of(*water, model.heap);
+  model.pore_pressure = outside.pore_pressure;
   Drive drive = drive_from(image, drive_);
 
   // the list may be no longer than positions of a real run make it
@@ -177,13 +172,7 @@ void FlowSimulation::restore_image(const StateImage& image) {
   }
   if (state.hash() != image.hash) refuse_image("does not hold the state it says: its hash differs");
 
-  std::swap(model_.pore_force_x, model.pore_force_x), std::swap(model_.pore_force_y, model.pore_force_y);
-  try {
-    take_forces(std::move(drive), std::move(outside));
-  } catch (...) {
-    std::swap(model_.pore_force_x, model.pore_force_x), std::swap(model_.pore_force_y, model.pore_force_y);
-    throw;
-  }
+  take_forces(std::move(drive), std::move(outside));
   model_.size = std::move(model.size);
   settle(std::move(state), std::move(lists), std::move(scratch));
   set_factor(factor);

@@ -26,7 +26,7 @@ namespace {
 constexpr Real kBlank = 1e100;  // where the particle is that fills up packs: out of everyone's reach
 constexpr int kChunk = 128;     // particles a thread takes at a time
 
-std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.external_y.bytes(); }
+std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.external_y.bytes() + o.pore_pressure.bytes(); }
 
 }  // namespace
 
@@ -34,6 +34,7 @@ FlowSimulation::FlowSimulation(const LatticeSimulation& from, const FlowOptions&
     : scene_(from.scene()),
       options_(from.options()),
       section_(from.section()),
+      layers_(from.layers()),
       kernels_(kernels),
       model_(build_flow_model(from, options)),
       state_(handed_over(from, model_)),
@@ -141,6 +142,7 @@ FlowData FlowSimulation::data(FlowState& s) const {
   d.walls = model_.walls.data(), d.soil = lists_.soil.data();
   d.constants = lists_.constants.data(), d.volume = lists_.volume.data(), d.force = lists_.force.data();
   d.extra_cohesion = lists_.extra_cohesion.data(), d.listed = s.listed.data();
+  d.pore_pressure = lists_.pore_pressure.data();
   d.stress = s.stress.data(), d.gap = s.gap.data(), d.plastic_strain = s.plastic_strain.data();
   d.wall_shear = s.wall_shear.data(), d.wall_limit = s.wall_limit.data(), d.traction = s.traction.data(),
   d.dead = s.dead.data();
@@ -160,6 +162,7 @@ FlowControls FlowSimulation::controls() const {
   c.time_step = model_.time_step;
   c.local_damping = damping_;
   c.inverse_support = 1 / model_.support;
+  c.support2 = model_.support * model_.support;
   c.weight_scale = 35 / (4 * kPi * h * h * h * h);
   c.softening = 0.01 * h * h;
   c.viscosity = model_.viscosity;
@@ -218,7 +221,7 @@ std::shared_ptr<SavedState> FlowSimulation::save() const {
   auto saved = std::make_shared<Saved>();
   saved->state = state_, saved->last = last_, saved->ledger = ledger_;
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->peak_kinetic = peak_kinetic_;
-  saved->drive = drive_, saved->outside = outside_;
+  saved->drive = drive_, saved->outside = outside();
   saved->counted.emplace(saved_, saved->state.bytes() + bytes_of(saved->outside));
   return saved;
 }
@@ -229,7 +232,7 @@ Memory FlowSimulation::memory() const {
   m.state = state_.bytes();
   m.scratch = scratch_.bytes();
   m.copies = storage_ids_.capacity() * sizeof(std::int64_t);
-  m.outside = bytes_of(outside_);
+  m.outside = bytes_of(outside_) + model_.pore_pressure.bytes();
   m.saved = *saved_;
   return m;
 }
@@ -240,6 +243,7 @@ void FlowSimulation::restore(const SavedState& other) {
   FlowLists lists;
   FlowScratch scratch;
   list_neighbours(model_, state, lists);
+  lists.pore_pressure.allocate(saved.outside.pore_pressure.size(), 5, model_.heap);
   arrange(lists, scratch);
   take_forces(saved.drive, saved.outside);
   settle(std::move(state), std::move(lists), std::move(scratch));
@@ -259,9 +263,6 @@ std::unique_ptr<Simulation> make_runout(const Simulation& from, const FlowOption
   const auto* const lattice = dynamic_cast<const LatticeSimulation*>(&from);
   if (lattice == nullptr)
     throw Error(Status::kState, "this model is a run-out already; make a run-out from the model it came from");
-  if (!lattice->layers().empty())
-    throw Error(Status::kUnsupported,
-                "a run-out cannot be made of a model with layers switched off: draw a profile without their soil");
   auto made = std::make_unique<FlowSimulation>(*lattice, options);
   const double bytes = made->get("bytes");
   const std::int64_t most = from.options().max_bytes;

@@ -19,6 +19,7 @@ class FlowSimulation final : public Simulation {
   std::int64_t particle_count() const override { return model_.particles; }  ///< soil only: walls are mirrors
   std::int64_t bond_count() const override;
   bool runs_out() const override { return true; }
+  Layers layers() const override { return layers_; }  ///< of the model it was made from
   Monitors monitors() const override;
   /// Steps with local damping (0.7 unless given), with or without strengths: the gravity state before the release.
   RelaxReport relax(std::int64_t steps, const RelaxOptions& options) override;
@@ -33,7 +34,7 @@ class FlowSimulation final : public Simulation {
   void read(int field, std::vector<std::int64_t>& out) const override;
   std::uint64_t state_hash() const override { return state_.hash(); }
   Memory memory() const override;
-  /// velocity (whoever pushes does the work) and external_force.
+  /// velocity (whoever pushes does the work), external_force and pore_pressure.
   void write(int field, const std::vector<double>& rows) override;
   const Drive& drive() const override { return drive_; }
   void set_drive(const Drive& drive) override;
@@ -76,6 +77,7 @@ class FlowSimulation final : public Simulation {
   void run_step(const FlowControls& controls, FlowSums& sums);
   /// Forces of a drive and from outside, anew; when memory runs out, as before.
   void take_forces(Drive drive, Outside outside);
+  Outside outside() const;  ///< all that is set from outside, the water too
   void write_velocity(const std::vector<double>& rows);
   void open_ledger();
   Real stored_energy() const;
@@ -92,6 +94,7 @@ class FlowSimulation final : public Simulation {
   CompileOptions options_;
   SavedTotal saved_ = std::make_shared<std::atomic<std::size_t>>(0);
   Section section_;
+  Layers layers_;  // empty = all
   const FlowKernels& kernels_;
   FlowModel model_;
   FlowState state_;
@@ -107,7 +110,7 @@ class FlowSimulation final : public Simulation {
   std::int64_t steps_ = 0, searches_ = 0, epoch_ = 0;
   bool yields_ = false;
   Drive drive_;
-  Outside outside_;                                ///< by particle id; its water is in the model
+  Outside outside_;                                ///< by particle id; its water is kept in the model
   mutable std::vector<std::int64_t> storage_ids_;  ///< particle ids in the present order, for views
 };
 

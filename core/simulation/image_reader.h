@@ -1,6 +1,7 @@
 // Reading a StateImage that may come from anywhere: what is missing, too much or out of range is refused.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -36,6 +37,22 @@ inline const std::vector<double>* image_rows(const StateImage& image, std::strin
     return &r.values;
   }
   return nullptr;
+}
+
+inline void add_layers(const Layers& layers, StateImage& image) {
+  if (!layers.empty()) image.rows.push_back({"active_layer", 1, {layers.begin(), layers.end()}});
+}
+
+/// Which layers are there; images of models that never switched any do not say.
+inline Layers layers_of(const StateImage& image, std::size_t count) {
+  const auto* there = image_rows(image, "active_layer", 1, count);
+  Layers layers;
+  if (there == nullptr) return layers;
+  for (const double v : *there) {
+    if (v != 0 && v != 1) refuse_image("has a layer that is neither there nor not");
+    layers.push_back(v == 1);
+  }
+  return std::find(layers.begin(), layers.end(), false) == layers.end() ? Layers() : layers;
 }
 
 inline void add_drive(const Drive& drive, StateImage& image) {

@@ -72,18 +72,6 @@ void take_plastic(const Model& m, const std::vector<StateImage::PlasticBond>& pl
   if (found != wanted.size()) refuse_image("names bonds that this section does not have");
 }
 
-/// Which layers are there; images of models that never switched any do not say.
-Layers layers_of(const StateImage& image, std::size_t count) {
-  const auto* there = image_rows(image, "active_layer", 1, count);
-  Layers layers;
-  if (there == nullptr) return layers;
-  for (const double v : *there) {
-    if (v != 0 && v != 1) refuse_image("has a layer that is neither there nor not");
-    layers.push_back(v == 1);
-  }
-  return std::find(layers.begin(), layers.end(), false) == layers.end() ? Layers() : layers;
-}
-
 }  // namespace
 
 StateImage LatticeSimulation::image() const {
@@ -111,7 +99,7 @@ StateImage LatticeSimulation::image() const {
     read(find_field("external_force"), force);
     out.rows.push_back({"external_force", 2, std::move(force)});
   }
-  if (!layers_.empty()) out.rows.push_back({"active_layer", 1, {layers_.begin(), layers_.end()}});
+  add_layers(layers_, out);
   add_drive(drive_, out);
   out.placed = model_.features.placed;
   const auto list = [&](const Array& p, std::vector<StateImage::PlasticBond>& to) {

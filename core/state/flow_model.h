@@ -49,12 +49,12 @@ struct FlowModel {
   Real time_step = 0;  ///< s
   // by particle id
   Array volume, mass, reference_x, reference_y;
-  Array force_x, force_y;            ///< all that pushes it from outside, N
-  Array weight;                      ///< N, without kv
-  Array surface_area;                ///< present with loads: vertical normal area, m
-  Array pore_force_x, pore_force_y;  ///< present with water: its force at the hand-over, N
-  Array size;            ///< of its guard: sqrt(volume), less where neighbours or walls are nearer from the start, m
-  Array extra_cohesion;  ///< present with a cohesion gradient, Pa
+  Array force_x, force_y;  ///< all that pushes it from outside, N
+  Array weight;            ///< N, without kv
+  Array surface_area;      ///< present with loads: vertical normal area, m
+  Array pore_pressure;     ///< present with water: Pa, compression positive; it goes with the particle
+  Array size;              ///< of its guard: sqrt(volume), less where neighbours or walls are nearer from the start, m
+  Array extra_cohesion;    ///< present with a cohesion gradient, Pa
   std::vector<std::int32_t> material;
   // by material
   std::vector<AnyLaw> law;
@@ -109,6 +109,7 @@ struct FlowLists {
   Array volume;                    ///< [n + 1 + ghosts]
   Array force;                     ///< [2n] weight, seismic force and loads, N
   Array extra_cohesion;            ///< Pa
+  Array pore_pressure;             ///< Pa
   std::size_t bytes() const;
 };
 
@@ -118,7 +119,7 @@ struct FlowScratch {
   Array next_stress;          ///< [4(n + 1)]
   Array gradient;             ///< L: xx, xy, yx, yy
   Array bond;                 ///< return ratio, 1/omega0, chi G, volume
-  Array inverse;              ///< M^-1: xx, xy, yy
+  Array inverse;              ///< M^-1: xx, xy, yy; how many packs of soil reach into the support
   Array flux;                 ///< P = Z M^-1 / V: xx, xy, yx, yy
   Array slope_x, slope_y;     ///< gradient of the four stress components, with laws that diffuse them
   Array artificial;           ///< artificial stress xx, yy, xy, with the law that has it

@@ -3,60 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "state/flow_cells.h"
 
 namespace vbgpd {
 
 namespace {
-
-/// Cells as large as the reach, wrapped around: a particle that flies off costs no memory, and a pair that only meets
-/// around the wrap is too far apart to count.
-class Cells {
- public:
-  Cells(const FlowModel& m, const Array& xy, Real reach) : inverse_(1 / reach) {
-    Real low[2] = {kInfinity, kInfinity}, high[2] = {-kInfinity, -kInfinity};
-    const auto n = static_cast<std::size_t>(m.particles);
-    for (std::size_t i = 0; i < 2 * n; ++i)
-      low[i % 2] = std::min(low[i % 2], xy[i]), high[i % 2] = std::max(high[i % 2], xy[i]);
-    for (int k = 0; k < 2; ++k) {
-      const Real cells = std::ceil((high[k] - low[k]) * inverse_) + 3;
-      count_[k] = static_cast<std::int64_t>(std::clamp<Real>(cells, 4, static_cast<Real>(n) + 4));
-    }
-    while (count_[0] * count_[1] > 8 * m.particles + 64) {
-      std::int64_t& longer = count_[0] > count_[1] ? count_[0] : count_[1];
-      longer = std::max<std::int64_t>(4, longer / 2);
-    }
-  }
-  std::int64_t column(Real x) const {
-    const Real k = std::floor(x * inverse_);
-    return std::fabs(k) < 1e15 ? static_cast<std::int64_t>(k) : 0;  // a state that diverged has no place
-  }
-  std::int64_t cell(std::int64_t column, std::int64_t row) const {
-    return wrapped(column, count_[0]) * count_[1] + wrapped(row, count_[1]);
-  }
-  std::int64_t cell_at(Real x, Real y) const { return cell(column(x), column(y)); }
-  std::int64_t size() const { return count_[0] * count_[1]; }
-
- private:
-  static std::int64_t wrapped(std::int64_t k, std::int64_t n) { return ((k % n) + n) % n; }
-  Real inverse_;
-  std::int64_t count_[2] = {4, 4};
-};
-
-/// Items of each cell, in the order of their numbers.
-struct Bins {
-  std::vector<std::int32_t> begin, items;
-  Bins(const Cells& cells, std::size_t n, auto&& cell_of) {
-    begin.assign(static_cast<std::size_t>(cells.size()) + 1, 0);
-    std::vector<std::int64_t> where(n);
-    for (std::size_t i = 0; i < n; ++i) where[i] = cell_of(i), ++begin[static_cast<std::size_t>(where[i]) + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    items.resize(n);
-    std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
-    for (std::size_t i = 0; i < n; ++i)
-      items[static_cast<std::size_t>(next[static_cast<std::size_t>(where[i])]++)] = static_cast<std::int32_t>(i);
-  }
-};
 
 void permute(Array& a, const std::vector<std::int32_t>& order, std::size_t width) {
   if (!a.present()) return;
@@ -136,6 +88,7 @@ class Lister {
         reach_(m.support + m.options.skin * m.spacing),
         reach2_(reach_ * reach_),
         support2_(m.support * m.support),
+        middle2_((m.support + reach_) * (m.support + reach_) / 4),
         cells_(m, xy_, reach_) {}
 
   void list() {
@@ -143,25 +96,15 @@ class Lister {
     lists_.rows.assign(n, {});
     find_ghosts(m_, xy_, reach_, lists_);
     place_images();
-    const Bins soil(cells_, n, [&](std::size_t i) { return cells_.cell_at(xy_[2 * i], xy_[2 * i + 1]); });
-    const Bins ghosts(cells_, lists_.ghosts.size(),
-                      [&](std::size_t g) { return cells_.cell_at(images_[2 * g], images_[2 * g + 1]); });
+    const Bins soil(cells_, xy_.data(), n), ghosts(cells_, images_.data(), lists_.ghosts.size());
     lists_.neighbours.clear();
     for (std::size_t i = 0; i < n; ++i) {
       FlowRow& row = lists_.rows[i];
       row.begin = packs();
-      around(i, soil, [&](std::int32_t j) {
-        const auto k = static_cast<std::size_t>(j);
-        if (k == i) return;
-        const Real distance2 = square_distance(i, xy_[2 * k], xy_[2 * k + 1]);
-        if (distance2 < support2_) lists_.neighbours.push_back(j);
-        else if (distance2 < reach2_) beyond_.push_back(j);
-      });
-      lists_.neighbours.insert(lists_.neighbours.end(), beyond_.begin(), beyond_.end());  // packs of these are skipped
-      beyond_.clear();
+      list_soil(i, soil);
       fill_pack();
       row.ghosts = packs();
-      if (row.near_wall != 0) around(i, ghosts, [&](std::int32_t g) { try_ghost(i, g); });
+      if (row.near_wall != 0) list_ghosts(i, ghosts);
       fill_pack();
       row.end = packs();
     }
@@ -174,14 +117,12 @@ class Lister {
     if (find_ghosts(m_, xy_, reach_, lists_, static_cast<std::size_t>(most)) >= static_cast<std::size_t>(most))
       return most;
     place_images();
-    const Bins soil(cells_, n, [&](std::size_t i) { return cells_.cell_at(xy_[2 * i], xy_[2 * i + 1]); });
-    const Bins ghosts(cells_, lists_.ghosts.size(),
-                      [&](std::size_t g) { return cells_.cell_at(images_[2 * g], images_[2 * g + 1]); });
+    const Bins soil(cells_, xy_.data(), n), ghosts(cells_, images_.data(), lists_.ghosts.size());
     std::int64_t sum = 0;
     for (std::size_t i = 0; i < n; ++i)
-      for_each_cell(i, [&](std::size_t cell) {
-        sum += soil.begin[cell + 1] - soil.begin[cell];
-        if (lists_.rows[i].near_wall != 0) sum += ghosts.begin[cell + 1] - ghosts.begin[cell];
+      cells_.around(xy_[2 * i], xy_[2 * i + 1], [&](std::int64_t first, std::int64_t last) {
+        sum += soil.first_of(last) - soil.first_of(first);
+        if (lists_.rows[i].near_wall != 0) sum += ghosts.first_of(last) - ghosts.first_of(first);
       });
     return sum;
   }
@@ -212,33 +153,56 @@ class Lister {
     if (ghost.second < 0 && !seen(wall, xy_[2 * i], xy_[2 * i + 1], x, y)) return;
     lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles) + 1 + g);
   }
-  void for_each_cell(std::size_t i, auto&& use) const {
-    const std::int64_t cx = cells_.column(xy_[2 * i]), cy = cells_.column(xy_[2 * i + 1]);
-    for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy) use(static_cast<std::size_t>(cells_.cell(cx + dx, cy + dy)));
+  /// Soil around particle i by distance: within the support, a little beyond, farther. The step leaves out the packs
+  /// behind the last one with a particle within the support. Without branches: every candidate is written to all three
+  /// and counted in one.
+  void list_soil(std::size_t i, const Bins& soil) {
+    std::size_t count[3] = {0, 0, 0};
+    const Real x = xy_[2 * i], y = xy_[2 * i + 1];
+    const auto self = static_cast<std::int32_t>(i);
+    cells_.around(x, y, [&](std::int64_t first, std::int64_t last) {
+      const auto begin = static_cast<std::size_t>(soil.first_of(first)),
+                 end = static_cast<std::size_t>(soil.first_of(last));
+      for (int ring = 0; ring < 3; ++ring)
+        if (found_[ring].size() < count[ring] + end - begin) found_[ring].resize(2 * (count[ring] + end - begin));
+      std::int32_t *const near = found_[0].data(), *const middle = found_[1].data(), *const far = found_[2].data();
+      for (std::size_t k = begin; k < end; ++k) {
+        const Real dx = soil.x[k] - x, dy = soil.y[k] - y, distance2 = dx * dx + dy * dy;
+        const std::int32_t j = soil.items[k];
+        const bool inside = distance2 < support2_, within = distance2 < middle2_, listed = distance2 < reach2_;
+        near[count[0]] = middle[count[1]] = far[count[2]] = j;
+        count[0] += inside & (j != self), count[1] += within & !inside, count[2] += listed & !within;
+      }
+    });
+    for (int ring = 0; ring < 3; ++ring)
+      lists_.neighbours.insert(lists_.neighbours.end(), found_[ring].data(), found_[ring].data() + count[ring]);
   }
-  void around(std::size_t i, const Bins& bins, auto&& use) const {
-    for_each_cell(i, [&](std::size_t cell) {
-      for (std::int32_t k = bins.begin[cell]; k < bins.begin[cell + 1]; ++k)
-        use(bins.items[static_cast<std::size_t>(k)]);
+  void list_ghosts(std::size_t i, const Bins& ghosts) {
+    cells_.around(xy_[2 * i], xy_[2 * i + 1], [&](std::int64_t first, std::int64_t last) {
+      for (std::int32_t k = ghosts.first_of(first); k < ghosts.first_of(last); ++k)
+        try_ghost(i, ghosts.items[static_cast<std::size_t>(k)]);
     });
   }
 
   const FlowModel& m_;
   const Array& xy_;
   FlowLists& lists_;
-  Real reach_, reach2_, support2_;
+  Real reach_, reach2_, support2_, middle2_;
   Cells cells_;
   std::vector<Real> images_;
-  std::vector<std::int32_t> beyond_;
+  std::vector<std::int32_t> found_[3];
 };
 
 }  // namespace
 
 void place_forces(const FlowModel& m, const FlowState& s, FlowLists& lists) {
+  const bool wet = m.pore_pressure.present();
+  if (lists.pore_pressure.size() != m.pore_pressure.size())
+    lists.pore_pressure.allocate(m.pore_pressure.size(), 5, m.heap);
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.particles); ++i) {
     const auto id = static_cast<std::size_t>(s.particle[i]);
     lists.force[2 * i] = m.force_x[id], lists.force[2 * i + 1] = m.force_y[id];
+    if (wet) lists.pore_pressure[i] = m.pore_pressure[id];
   }
 }
 
@@ -270,14 +234,29 @@ void place_constants(const FlowModel& m, const FlowState& s, FlowLists& lists) {
   }
 }
 
-/// Traction of the bond from old place i to old place j, zero where there was none.
-const double* traction_between(const FlowLists& lists, const Array& traction, std::int32_t i, std::int32_t j) {
-  const FlowRow& row = lists.rows[static_cast<std::size_t>(i)];
-  const auto first = lists.neighbours.begin() + 4l * row.begin, last = lists.neighbours.begin() + 4l * row.ghosts;
-  const auto found = std::find(first, last, j);
-  if (found == last) return nullptr;
-  const auto slot = static_cast<std::size_t>(found - lists.neighbours.begin());
-  return traction.data() + 8 * (slot / 4) + slot % 4;
+/// Hands the bonds that live on from the old list to the new one. order: old place of each particle.
+void hand_over(const FlowModel& m, const FlowLists& old, const Array& from, const std::vector<std::int32_t>& order,
+               const FlowLists& lists, Array& to) {
+  const auto n = static_cast<std::size_t>(m.particles);
+  std::vector<std::int32_t> slot_of(n, -1);  // where an old neighbour stands in the old row; older rows are told apart
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto was = static_cast<std::size_t>(order[i]);
+    if (was >= old.rows.size()) continue;
+    const FlowRow &row = lists.rows[i], &before = old.rows[was];
+    for (std::int32_t k = 4 * before.begin; k < 4 * before.ghosts; ++k) {
+      const std::int32_t j = old.neighbours[static_cast<std::size_t>(k)];
+      if (j < m.particles) slot_of[static_cast<std::size_t>(j)] = k;
+    }
+    for (auto k = 4 * static_cast<std::size_t>(row.begin); k < 4 * static_cast<std::size_t>(row.ghosts); ++k) {
+      const std::int32_t j = lists.neighbours[k];
+      if (j >= m.particles) continue;
+      const std::int32_t slot = slot_of[static_cast<std::size_t>(order[static_cast<std::size_t>(j)])];
+      if (slot < 4 * before.begin || slot >= 4 * before.ghosts) continue;
+      const auto found = static_cast<std::size_t>(slot);
+      for (std::size_t part = 0; part < 8; part += 4)
+        to[8 * (k / 4) + part + k % 4] = from[8 * (found / 4) + part + found % 4];
+    }
+  }
 }
 
 }  // namespace
@@ -297,7 +276,7 @@ bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
   const auto n = static_cast<std::size_t>(m.particles);
   for (std::size_t i = 0; i < n; ++i) s.listed[2 * i] = s.motion[4 * i], s.listed[2 * i + 1] = s.motion[4 * i + 1];
   const Cells cells(m, s.listed, m.support + m.options.skin * m.spacing);
-  const Bins sorted(cells, n, [&](std::size_t i) { return cells.cell_at(s.listed[2 * i], s.listed[2 * i + 1]); });
+  const Bins sorted(cells, s.listed.data(), n);
   const std::vector<std::int32_t>& order = sorted.items;  // new place -> old place
   const bool reordered = !std::is_sorted(order.begin(), order.end());
   permute(s.motion, order, 4), permute(s.stress, order, 4), permute(s.listed, order, 2);
@@ -309,16 +288,7 @@ bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
   s.traction = Array{};
   if (!m.keeps_bonds()) return reordered;
   s.traction.allocate(2 * lists.neighbours.size(), 8, m.heap);
-  if (!traction.present()) return reordered;
-  for (std::size_t i = 0; i < n; ++i)
-    for (auto k = 4 * static_cast<std::size_t>(lists.rows[i].begin);
-         k < 4 * static_cast<std::size_t>(lists.rows[i].ghosts); ++k) {
-      const std::int32_t j = lists.neighbours[k];
-      if (j >= m.particles) continue;
-      const double* const t = traction_between(old, traction, order[i], order[static_cast<std::size_t>(j)]);
-      if (t == nullptr) continue;
-      s.traction[8 * (k / 4) + k % 4] = t[0], s.traction[8 * (k / 4) + 4 + k % 4] = t[4];
-    }
+  if (traction.present()) hand_over(m, old, traction, order, lists, s.traction);
   return reordered;
 }
 

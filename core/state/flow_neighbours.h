@@ -17,7 +17,7 @@ void join_neighbours(const FlowModel& m, FlowState& s, const FlowLists& lists);
 /// that nobody moved there lie on top of each other.
 std::int64_t listing_work(const FlowModel& m, const FlowState& s);
 
-/// Writes the forces of the model to the present places of the particles.
+/// Writes the forces and pore pressures of the model to the present places of the particles.
 void place_forces(const FlowModel& m, const FlowState& s, FlowLists& lists);
 
 /// The same lists again from a saved state (nothing is sorted, tractions stay).

@@ -20,14 +20,14 @@ std::size_t bytes_of(std::initializer_list<const Array*> arrays) {
 }  // namespace
 
 std::size_t FlowModel::bytes() const {
-  return bytes_of({&volume, &mass, &force_x, &force_y, &weight, &surface_area, &pore_force_x, &pore_force_y,
-                   &reference_x, &reference_y, &size, &extra_cohesion}) +
+  return bytes_of({&volume, &mass, &force_x, &force_y, &weight, &surface_area, &reference_x, &reference_y, &size,
+                   &extra_cohesion}) +
          bytes_of(material) + bytes_of(walls);
 }
 
 std::size_t FlowLists::bytes() const {
   return bytes_of(rows) + bytes_of(neighbours) + bytes_of(ghosts) + bytes_of(soil) +
-         bytes_of({&constants, &volume, &force, &extra_cohesion});
+         bytes_of({&constants, &volume, &force, &extra_cohesion, &pore_pressure});
 }
 
 std::size_t FlowScratch::bytes() const {

@@ -11,9 +11,7 @@ inline namespace VBGPD_ISA {
 struct FlowBondSums {
   Pack zxx{}, zxy{}, zyx{}, zyy{};  ///< sum B tau (x) n
   Pack fx{}, fy{}, work{};          ///< sum B tau / r, sum B tau . q dt
-  Pack mxx{}, mxy{}, myy{};         ///< moment of the soil neighbours alone
-  Pack xxx{}, xyy{}, xxy{}, xm{};   ///< sum V_j omega (sigma_j - sigma_i) xi_x of the four stress components
-  Pack yxx{}, yyy{}, yxy{}, ym{};
+  Pack slope_x{}, slope_y{};        ///< sum V_j omega (sigma_j - sigma_i) xi, by component of the stress
 };
 
 /// Four bonds of particle i (the first line is for laws with such bonds):
@@ -25,14 +23,18 @@ VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std
   const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
   const Pack x = other.a - own.a, y = other.b - own.b, r = root(x * x + y * y);
   const Pack weight = pair_weight(c, r);
-  const auto near = weight > Pack{};
-  [[maybe_unused]] double* const record = d.traction + 8l * p;
-  if (!any(near)) {
-    if constexpr (PairLaw::kBonds) store(record, Pack{}), store(record + 4, Pack{});
-    return;
+  if constexpr (kDiffuse) {
+    const Pack share = weight * load_each(d.volume, j);
+    const Lanes wx(share * x), wy(share * y);
+    const Pack mine = load(d.stress + 4l * i);
+    for (int k = 0; k < 4; ++k) {
+      const Pack difference = load(d.stress + 4l * j[k]) - mine;
+      s.slope_x += difference * wx[k], s.slope_y += difference * wy[k];
+    }
   }
-  const Quads bond = broadcast_quad(d.bond + 4l * i), end = load_quads(d.bond, j);
   if constexpr (PairLaw::kBonds) {
+    double* const record = d.traction + 8l * p;
+    const Quads bond = broadcast_quad(d.bond + 4l * i), end = load_quads(d.bond, j);
     const Pack inverse_r = 1.0 / r;
     const Quads l = broadcast_quad(d.gradient + 4l * i), k = load_quads(d.gradient, j);
     const Pack bxx = (l.a + k.a) * 0.5, bxy = (l.b + k.b) * 0.5, byx = (l.c + k.c) * 0.5, byy = (l.d + k.d) * 0.5;
@@ -41,6 +43,7 @@ VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std
     const Pack angle = (byx - bxy) * (0.5 * c.time_step), cosine = 1.0 - 0.5 * angle * angle;
     const Pack ox = load(record), oy = load(record + 4);
     const Pack stiffness = (bond.c + end.c) * (0.5 * c.time_step), ratio = smaller(bond.a, end.a);
+    const auto near = weight > Pack{};
     const Pack tx = select(near, ratio * (cosine * ox - angle * oy + stiffness * qx), Pack{});
     const Pack ty = select(near, ratio * (cosine * oy + angle * ox + stiffness * qy), Pack{});
     store(record, tx), store(record + 4, ty);
@@ -51,18 +54,11 @@ VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std
     s.zxx += fx * x, s.zxy += fx * y, s.zyx += fy * x, s.zyy += fy * y;
     s.work += volume * ((tx + ox) * qx + (ty + oy) * qy);
   }
-  if constexpr (kDiffuse) {
-    const Quads mine = broadcast_quad(d.stress + 4l * i), its = load_quads(d.stress, j);
-    const Pack wx = weight * end.d * x, wy = weight * end.d * y;
-    s.mxx += wx * x, s.mxy += wx * y, s.myy += wy * y;
-    const Pack a = its.a - mine.a, b = its.b - mine.b, e = its.c - mine.c, m = its.d - mine.d;
-    s.xxx += wx * a, s.xyy += wx * b, s.xxy += wx * e, s.xm += wx * m;
-    s.yxx += wy * a, s.yyy += wy * b, s.yxy += wy * e, s.ym += wy * m;
-  }
 }
 
-/// in  motion, gradient, stress, bond   in/out  traction   out  flux P = Z M^-1 / V with Z = V sigma - sum B tau (x)
-/// n/2, pair_force, artificial, and (kDiffuse) slope_x, slope_y: the gradient of the stress among the soil
+/// in  motion, gradient, stress, bond, slope_x (inverse moment)   in/out  traction   out  flux P = Z M^-1 / V with Z =
+/// V (sigma - p I) - sum B tau (x) n/2, pair_force, artificial, and (kDiffuse) slope_x, slope_y: half the gradient of
+/// the stress among the soil
 template <class PairLaw, bool kDiffuse>
 inline void bond_pass(const FlowData& shared, const FlowControls& shared_controls, int first, int last,
                       FlowSums& sums) {
@@ -71,14 +67,18 @@ inline void bond_pass(const FlowData& shared, const FlowControls& shared_control
   for (int i = first; i < last; ++i) {
     FlowBondSums s;
     const FlowRow row = d.rows[i];
+    const std::int32_t near = row.begin + static_cast<std::int32_t>(d.inverse[4l * i + 3]);
     if constexpr (PairLaw::kBonds || kDiffuse)
-      for (std::int32_t p = row.begin; p < row.ghosts; ++p) add_bonds<PairLaw, kDiffuse>(d, c, i, p, s);
+      for (std::int32_t p = row.begin; p < near; ++p) add_bonds<PairLaw, kDiffuse>(d, c, i, p, s);
+    if constexpr (PairLaw::kBonds)
+      for (auto k = 8l * near; k < 8l * row.ghosts; k += 4) store(d.traction + k, Pack{});
     const Pack z = sums_of(s.zxx, s.zxy, s.zyx, s.zyy), f = sums_of(s.fx, s.fy, s.work, Pack{});
     const double* const stress = d.stress + 4l * i;
     const double* const m = d.inverse + 4l * i;
     const double half = d.volume[i] > 0 ? 0.5 / d.volume[i] : 0;
-    const double zxx = stress[0] + stress[3] - half * z[0], zxy = stress[2] - half * z[1];
-    const double zyx = stress[2] - half * z[2], zyy = stress[1] + stress[3] - half * z[3];
+    const double total = stress[3] - (d.pore_pressure == nullptr ? 0 : d.pore_pressure[i]);
+    const double zxx = stress[0] + total - half * z[0], zxy = stress[2] - half * z[1];
+    const double zyx = stress[2] - half * z[2], zyy = stress[1] + total - half * z[3];
     double* const flux = d.flux + 4l * i;
     flux[0] = zxx * m[0] + zxy * m[1], flux[1] = zxx * m[1] + zxy * m[2];
     flux[2] = zyx * m[0] + zyy * m[1], flux[3] = zyx * m[1] + zyy * m[2];
@@ -86,11 +86,9 @@ inline void bond_pass(const FlowData& shared, const FlowControls& shared_control
     if constexpr (PairLaw::kArtificialStress) artificial_stress(c.artificial_stress, stress, d.artificial + 4l * i);
     sums.bond += 0.25 * c.time_step * f[2];  // a bond is met from both ends; its traction before and after
     if constexpr (kDiffuse) {
-      const Pack moment = sums_of(s.mxx, s.mxy, s.myy, Pack{});
-      const Inverse n = floored_inverse(moment[0], moment[1], moment[2], c.smallest_eigenvalue);
-      const Pack ax = sums_of(s.xxx, s.xyy, s.xxy, s.xm), ay = sums_of(s.yxx, s.yyy, s.yxy, s.ym);
-      store(d.slope_x + 4l * i, ax * n.xx + ay * n.xy);
-      store(d.slope_y + 4l * i, ax * n.xy + ay * n.yy);
+      const double* const n = d.slope_x + 4l * i;
+      const Pack along = 0.5 * (s.slope_x * n[0] + s.slope_y * n[1]), up = 0.5 * (s.slope_x * n[1] + s.slope_y * n[2]);
+      store(d.slope_x + 4l * i, along), store(d.slope_y + 4l * i, up);
     }
   }
 }

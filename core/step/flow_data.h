@@ -20,6 +20,7 @@ struct FlowControls {
   double time_step = 0;
   double local_damping = 0;    ///< alpha of f_d = -alpha |f| sgn v, for the gravity state only
   double inverse_support = 0;  ///< 1/(2h)
+  double support2 = 0;         ///< (2h)^2
   double weight_scale = 0;     ///< 35 / (4 pi h^4)
   double softening = 0;        ///< 0.01 h^2
   double viscosity = 0;        ///< alpha c h, m2/s
@@ -42,7 +43,7 @@ struct FlowControls {
 /// Sums of one step, combined in chunk order. Works in J per metre run.
 struct FlowSums {
   double unbalanced = 0, kinetic = 0, velocity2 = 0, displacement2 = 0;
-  double external = 0;              ///< done by weight, seismic force and loads
+  double external = 0;              ///< done by weight, seismic force, loads and pore water
   double internal = 0;              ///< taken up by the stress of the particles
   double bond = 0;                  ///< taken up by bond tractions, or by the artificial stress
   double viscous = 0, damping = 0;  ///< dissipated
@@ -68,7 +69,7 @@ struct FlowData {
   const FlowGhost* ghosts;
   const FlowWall* walls;
   const std::int32_t* soil;
-  const double *constants, *volume, *force, *extra_cohesion, *listed;
+  const double *constants, *volume, *force, *extra_cohesion, *listed, *pore_pressure;
   // state
   double *stress, *gap, *plastic_strain, *wall_shear, *wall_limit, *traction, *dead;
   // scratch; motion is the state's, with ghosts

@@ -32,6 +32,25 @@ VBGPD_INLINE Pack load_each(const double* values, const std::int32_t* j) {
   return Pack{values[j[0]], values[j[1]], values[j[2]], values[j[3]]};
 }
 
+/// First two members of four records.
+struct Places {
+  Pack x, y;
+};
+VBGPD_INLINE Places load_places(const double* records, const std::int32_t* j) {
+  using Pair [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
+  const auto pair = [&](int k) { return *reinterpret_cast<const Pair*>(records + 4l * j[k]); };
+  const Pack r0 = __builtin_shufflevector(pair(0), pair(2), 0, 1, 2, 3);
+  const Pack r1 = __builtin_shufflevector(pair(1), pair(3), 0, 1, 2, 3);
+  return {__builtin_shufflevector(r0, r1, 0, 4, 2, 6), __builtin_shufflevector(r0, r1, 1, 5, 3, 7)};
+}
+
+/// Lanes of a pack one by one, through memory: a broadcast load costs no shuffle. For sums by component over records.
+struct Lanes {
+  alignas(32) double lane[4];
+  VBGPD_INLINE explicit Lanes(Pack v) { store(lane, v); }
+  VBGPD_INLINE Pack operator[](int k) const { return broadcast(lane[k]); }
+};
+
 /// Sums over the lanes of four packs at once.
 VBGPD_INLINE Pack sums_of(Pack a, Pack b, Pack c, Pack d) {
   const Quads t = turned(a, b, c, d);

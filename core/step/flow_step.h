@@ -26,7 +26,7 @@ void flow_step(const FlowData& d, const FlowControls& c, Workers& workers, FlowS
   // mirror images behind the walls
   place_ghosts(d);
   // operators, velocity gradient, stress: gap memory, rotation, elastic, cut-off, return to the yield surface
-  each([&](int first, int last, FlowSums& s) { strain_pass<PairLaw>(d, c, first, last, s); });
+  each([&](int first, int last, FlowSums& s) { strain_pass<PairLaw, kDiffuse>(d, c, first, last, s); });
   // virtual bonds: traction turned, loaded, relaxed by plastic flow; stress flux; gradient of the stress
   each([&](int first, int last, FlowSums& s) { bond_pass<PairLaw, kDiffuse>(d, c, first, last, s); });
   // conjugate stress of the mirror images

@@ -1,23 +1,50 @@
-// Stress of one particle over one step: gap memory, exact rotation, elastic trial, return to the yield surface.
+// Stress of four particles over one step: gap memory, exact rotation, elastic trial, return to the yield surface.
 #pragma once
 
 #include "material/cone.h"
 #include "material/hexagon.h"
 #include "step/flow_data.h"
+#include "step/flow_quads.h"
 
 namespace vbgpd {
 inline namespace VBGPD_ISA {
 
-/// What one update did.
-struct StressUpdate {
-  double return_ratio;  ///< sqrt(J2) / sqrt(J2 trial): 1 elastic, 0 stress free
-  double work;          ///< sigma : L dt, Pa, with the mean of the stress before and after
+/// Soils of four particles.
+struct FlowSoils {
+  const FlowLaw* law[4];
+  Pack shear, bulk, extra_cohesion;
+  bool same;  ///< all of one soil: returned in lockstep
 };
 
-VBGPD_INLINE Returned<double> returned(const FlowLaw& law, double extra_cohesion, const Stress<double>& trial) {
-  LawConstants constants = law.constants;
-  constants.k += extra_cohesion * constants.k_per_cohesion;
-  return law.algorithm == 0 ? Cone<double>(constants).returned(trial) : Hexagon<double>(constants).returned(trial);
+/// What one update did.
+struct StressUpdate {
+  Pack return_ratio;  ///< sqrt(J2) / sqrt(J2 trial): 1 elastic, 0 stress free
+  Pack opening;       ///< tr L dt
+  Pack work;          ///< sigma : L dt, Pa, with the mean of the stress before and after
+};
+
+template <class Surface, class R>
+VBGPD_INLINE Stress<R> returned_to(const FlowLaw& law, R extra_cohesion, const Stress<R>& trial) {
+  Surface surface(law.constants);
+  surface.k += extra_cohesion * law.constants.k_per_cohesion;
+  return surface.returned(trial).stress;
+}
+
+template <class R>
+VBGPD_INLINE Stress<R> returned_by(const FlowLaw& law, R extra_cohesion, const Stress<R>& trial) {
+  return law.algorithm == 0 ? returned_to<Cone<R>>(law, extra_cohesion, trial)
+                            : returned_to<Hexagon<R>>(law, extra_cohesion, trial);
+}
+
+VBGPD_INLINE Stress<Pack> returned(const FlowSoils& soils, const Stress<Pack>& trial) {
+  if (soils.same) return returned_by(*soils.law[0], soils.extra_cohesion, trial);
+  Stress<Pack> s = trial;
+  for (int k = 0; k < 4; ++k) {
+    const Stress<double> one = returned_by(*soils.law[k], soils.extra_cohesion[k],
+                                           Stress<double>{trial.xx[k], trial.yy[k], trial.xy[k], trial.m[k]});
+    s.xx[k] = one.xx, s.yy[k] = one.yy, s.xy[k] = one.xy, s.m[k] = one.m;
+  }
+  return s;
 }
 
 /// stress: deviator xx, yy, xy and mean; l: velocity gradient xx, xy, yx, yy at the end of the drift. The gradient in
@@ -28,45 +55,50 @@ VBGPD_INLINE Returned<double> returned(const FlowLaw& law, double extra_cohesion
 /// 3 elastic increment; 4, 5 tension cut-off and yield surface by the return of the law.
 /// Where the law lets particles die, `dead` turns 1 with the first return and leaves pressure only.
 template <class PairLaw>
-VBGPD_INLINE StressUpdate update_stress(const FlowLaw& law, double extra_cohesion, double dt, const double* l,
-                                        double* stress, double& gap, double& plastic_strain, double* dead) {
-  const double axx = 1 - 0.5 * dt * l[0], axy = -0.5 * dt * l[1], ayx = -0.5 * dt * l[2], ayy = 1 - 0.5 * dt * l[3];
-  const double inverse = 1 / (axx * ayy - axy * ayx);
-  const double lxx = (l[0] * ayy - l[1] * ayx) * inverse, lxy = (l[1] * axx - l[0] * axy) * inverse;
-  const double lyx = (l[2] * ayy - l[3] * ayx) * inverse, lyy = (l[3] * axx - l[2] * axy) * inverse;
-  const double shear = law.constants.shear_modulus, bulk = law.constants.bulk_modulus;
-  double opening = (lxx + lyy) * dt;
-  if (PairLaw::kGapMemory && gap > 0 && opening < 0) {
-    const double closed = smaller(gap, -opening);
+VBGPD_INLINE StressUpdate update_stress(const FlowSoils& soils, double dt, const Quads& l, Quads& stress, Pack& gap,
+                                        Pack& plastic_strain, Pack& dead) {
+  const Pack zero{};
+  const Pack axx = 1.0 - 0.5 * dt * l.a, axy = -0.5 * dt * l.b, ayx = -0.5 * dt * l.c, ayy = 1.0 - 0.5 * dt * l.d;
+  const Pack inverse = 1.0 / (axx * ayy - axy * ayx);
+  const Pack lxx = (l.a * ayy - l.b * ayx) * inverse, lxy = (l.b * axx - l.a * axy) * inverse;
+  const Pack lyx = (l.c * ayy - l.d * ayx) * inverse, lyy = (l.d * axx - l.c * axy) * inverse;
+  const Pack shear = soils.shear, bulk = soils.bulk;
+  Pack opening = (lxx + lyy) * dt;
+  if constexpr (PairLaw::kGapMemory) {
+    const Pack closed = larger(smaller(gap, -opening), zero);
     gap -= closed;
     opening += closed;
   }
-  const double a = 0.25 * (lyx - lxy) * dt, denominator = 1 / (1 + a * a);  // tan of half the angle
-  const double cosine = (1 - a * a) * denominator, sine = 2 * a * denominator;
-  const double cos2 = cosine * cosine - sine * sine, sin2 = 2 * cosine * sine;
-  const double sxx = stress[0], syy = stress[1], sxy = stress[2], mean = stress[3];
-  const double middle = 0.5 * (sxx + syy), half = 0.5 * (sxx - syy);
-  const double turned_half = cos2 * half - sin2 * sxy;
-  const double rxx = middle + turned_half, ryy = middle - turned_half, rxy = sin2 * half + cos2 * sxy;
-  const double third = (lxx + lyy) / 3;
-  const Stress<double> trial{rxx + 2 * shear * dt * (lxx - third), ryy + 2 * shear * dt * (lyy - third),
-                             rxy + shear * dt * (lxy + lyx), mean + bulk * opening};
-  Returned<double> r = returned(law, extra_cohesion, trial);
-  const Stress<double>& s = r.stress;
-  double ratio = 1;
-  if (r.any) {
-    const double before = root(trial.j2()), after = root(s.j2());
-    ratio = before > 0 ? smaller(after / before, 1) : 0;
-    plastic_strain += larger(before - after, 0) / shear;
-    if constexpr (PairLaw::kGapMemory) gap += larger(trial.m - s.m, 0) / bulk;
+  const Pack a = 0.25 * (lyx - lxy) * dt, denominator = 1.0 / (1.0 + a * a);  // tan of half the angle
+  const Pack cosine = (1.0 - a * a) * denominator, sine = 2.0 * a * denominator;
+  const Pack cos2 = cosine * cosine - sine * sine, sin2 = 2.0 * cosine * sine;
+  const Pack middle = 0.5 * (stress.a + stress.b), half = 0.5 * (stress.a - stress.b);
+  const Pack turned_half = cos2 * half - sin2 * stress.c;
+  const Pack rxx = middle + turned_half, ryy = middle - turned_half, rxy = sin2 * half + cos2 * stress.c;
+  const Pack third = (lxx + lyy) / 3.0;
+  const Stress<Pack> trial{rxx + 2.0 * shear * dt * (lxx - third), ryy + 2.0 * shear * dt * (lyy - third),
+                           rxy + shear * dt * (lxy + lyx), stress.d + bulk * opening};
+  Stress<Pack> s = returned(soils, trial);
+  const auto yields = (s.xx != trial.xx) | (s.yy != trial.yy) | (s.xy != trial.xy) | (s.m != trial.m);
+  Pack ratio = zero + 1.0;
+  if (any(yields)) {
+    const Pack before = root(trial.j2()), after = root(s.j2());
+    const auto sheared = before > zero;
+    const Pack fraction = select(sheared, smaller(after / select(sheared, before, ratio), ratio), zero);
+    ratio = select(yields, fraction, ratio);
+    plastic_strain += select(yields, larger(before - after, zero) / shear, zero);
+    if constexpr (PairLaw::kGapMemory) gap += select(yields, larger(trial.m - s.m, zero) / bulk, zero);
   }
   if constexpr (PairLaw::kDies) {
-    if (r.any) *dead = 1;
-    if (*dead != 0) r.stress = {0, 0, 0, smaller(trial.m, 0)}, ratio = 0;
+    dead = select(yields, zero + 1.0, dead);
+    const auto gone = dead != zero;
+    s = {select(gone, zero, s.xx), select(gone, zero, s.yy), select(gone, zero, s.xy),
+         select(gone, smaller(trial.m, zero), s.m)};
+    ratio = select(gone, zero, ratio);
   }
-  const double mxx = 0.5 * (rxx + s.xx), myy = 0.5 * (ryy + s.yy), mxy = 0.5 * (rxy + s.xy), mm = 0.5 * (mean + s.m);
-  stress[0] = s.xx, stress[1] = s.yy, stress[2] = s.xy, stress[3] = s.m;
-  return {ratio, dt * ((mxx + mm) * lxx + (myy + mm) * lyy + mxy * (lxy + lyx))};
+  const Pack mxx = 0.5 * (rxx + s.xx), myy = 0.5 * (ryy + s.yy), mxy = 0.5 * (rxy + s.xy), mm = 0.5 * (stress.d + s.m);
+  stress = {s.xx, s.yy, s.xy, s.m};
+  return {ratio, (lxx + lyy) * dt, dt * ((mxx + mm) * lxx + (myy + mm) * lyy + mxy * (lxy + lyx))};
 }
 
 }  // namespace VBGPD_ISA

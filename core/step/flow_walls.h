@@ -50,7 +50,8 @@ inline void place_ghosts(const FlowData& d) {
 VBGPD_INLINE void add_weight(const FlowData& d, const FlowWall& w, int parent, const double* image, double* weight) {
   const double depth = -distance_to(w, image[0], image[1]);
   const double* const s = d.stress + 4l * parent;
-  const double pressure = -(s[3] + s[0] * w.nx * w.nx + s[1] * w.ny * w.ny + 2 * s[2] * w.nx * w.ny);
+  double pressure = -(s[3] + s[0] * w.nx * w.nx + s[1] * w.ny * w.ny + 2 * s[2] * w.nx * w.ny);
+  if (d.pore_pressure != nullptr) pressure += d.pore_pressure[parent];
   double share = 2 * depth / d.volume[parent];
   const double across = -share * (d.force[2l * parent] * w.nx + d.force[2l * parent + 1] * w.ny);
   if (across > 0 && across > pressure) share *= larger(pressure, 0) / across;
@@ -94,6 +95,34 @@ inline ContactForce image_force(const FlowData& d, const FlowControls& c, int i,
   const double drag = c.viscosity * weight * d.constants[4l * i + 1] * closing / (x * x + y * y + c.softening);
   return {scale * ((p[0] + q[0] + b[0]) * x + (p[1] + q[1] + b[1]) * y) + drag * x,
           scale * ((p[2] + q[2] + b[2]) * x + (p[3] + q[3] + b[3]) * y) + drag * y};
+}
+
+/// What of it the water in the pores carries: it has no friction. Of the growth by the weight it has the share that it
+/// has of the pressure.
+inline ContactForce image_water(const FlowData& d, const FlowControls& c, int i, std::int32_t j) {
+  if (d.pore_pressure == nullptr) return {};
+  const double *const own = d.motion + 4l * i, *const other = d.motion + 4l * j;
+  const double x = other[0] - own[0], y = other[1] - own[1], r = root(x * x + y * y);
+  if (!(r < c.image_reach)) return {};
+  const double s = larger(1 - r * c.inverse_support, 0);
+  const double scale = d.constants[4l * i] * c.weight_scale * s * s * s * d.volume[j];
+  const FlowGhost& ghost = d.ghosts[j - d.particles - 1];
+  const auto flux = [&](int k, double* f) {
+    const double* const m = d.inverse + 4l * k;
+    const double p = d.pore_pressure[k];
+    f[0] = -p * m[0], f[1] = f[2] = -p * m[1], f[3] = -p * m[2];
+  };
+  double mine[4], its[4];
+  flux(i, mine), flux(ghost.parent, its);
+  mirror_flux(d.walls[ghost.wall], its);
+  if (ghost.second >= 0) mirror_flux(d.walls[ghost.second], its);
+  const FlowWall& w = d.walls[ghost.wall];
+  const double *const t = d.stress + 4l * ghost.parent, *const b = d.weight + 4l * (j - d.particles);
+  const double p = d.pore_pressure[ghost.parent];
+  const double total = p - (t[3] + t[0] * w.nx * w.nx + t[1] * w.ny * w.ny + 2 * t[2] * w.nx * w.ny);
+  const double share = total > 0 ? smaller(larger(p / total, 0), 1) : 0;
+  return {scale * ((mine[0] + its[0] + share * b[0]) * x + (mine[1] + its[1] + share * b[1]) * y),
+          scale * ((mine[2] + its[2] + share * b[2]) * x + (mine[3] + its[3] + share * b[3]) * y)};
 }
 
 /// Push of a wall on a particle nearer than half the guard distance: a spring with a dashpot, across the wall.
@@ -152,8 +181,8 @@ inline ContactForce wall_contact(const FlowData& d, const FlowControls& c, int i
   return f;
 }
 
-/// All that comes across wall k to particle i: of the images behind it, of those behind its corners what is along its
-/// normal, and of the push.
+/// All that comes across wall k to particle i but for the water: of the images behind it, of those behind its corners
+/// what is along its normal, and of the push.
 inline double normal_force(const FlowData& d, const FlowControls& c, int i, int k) {
   const FlowWall& w = d.walls[k];
   const FlowRow row = d.rows[i];
@@ -163,8 +192,8 @@ inline double normal_force(const FlowData& d, const FlowControls& c, int i, int 
     if (j == d.particles) continue;
     const FlowGhost& ghost = d.ghosts[j - d.particles - 1];
     if (ghost.wall != k && ghost.second != k) continue;
-    const ContactForce f = image_force(d, c, i, j);
-    sum += f.x * w.nx + f.y * w.ny;
+    const ContactForce f = image_force(d, c, i, j), water = image_water(d, c, i, j);
+    sum += (f.x - water.x) * w.nx + (f.y - water.y) * w.ny;
   }
   const Push push = push_of(d, c, i, w);
   return push.near ? sum + push.force * (push.nx * w.nx + push.ny * w.ny) : sum;

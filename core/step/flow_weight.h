@@ -13,22 +13,23 @@ VBGPD_INLINE Pack pair_weight(const FlowControls& c, Pack r) {
   return c.weight_scale * s * s * s;
 }
 
-/// Inverse of the symmetric moment matrix with its eigenvalues kept above a floor: a particle with few neighbours gets
-/// a smaller gradient, never a wild one, and nothing switches.
+/// Inverses of four symmetric moment matrices with their eigenvalues kept above a floor: a particle with few neighbours
+/// gets a smaller gradient, never a wild one, and nothing switches.
 struct Inverse {
-  double xx, xy, yy;
+  Pack xx, xy, yy;
 };
-VBGPD_INLINE Inverse floored_inverse(double xx, double xy, double yy, double floor) {
-  const double trace = xx + yy, determinant = xx * yy - xy * xy;
-  if (determinant > floor * (trace - floor) && trace > 2 * floor) {  // both above the floor
-    const double inverse = 1 / determinant;
-    return {yy * inverse, -xy * inverse, xx * inverse};
-  }
-  const double mean = 0.5 * trace, half = 0.5 * (xx - yy), radius = root(half * half + xy * xy);
-  const double large = larger(mean + radius, floor), small = larger(mean - radius, floor);
-  const double p = 0.5 * (1 / large + 1 / small), q = 0.5 * (1 / large - 1 / small);
-  const double scale = radius > 0 ? q / radius : 0;
-  return {p + scale * half, scale * xy, p - scale * half};
+VBGPD_INLINE Inverse floored_inverse(Pack xx, Pack xy, Pack yy, double floor) {
+  const Pack trace = xx + yy, determinant = xx * yy - xy * xy, inverse = 1.0 / determinant;
+  const auto low = (determinant <= floor * (trace - floor)) | (trace <= 2 * floor);  // an eigenvalue below the floor
+  const Inverse plain{yy * inverse, -xy * inverse, xx * inverse};
+  if (!any(low)) return plain;
+  const Pack mean = 0.5 * trace, half = 0.5 * (xx - yy), radius = root(half * half + xy * xy);
+  const Pack least = broadcast(floor), large = larger(mean + radius, least), small = larger(mean - radius, least);
+  const Pack p = 0.5 * (1.0 / large + 1.0 / small), q = 0.5 * (1.0 / large - 1.0 / small);
+  const auto round = radius <= Pack{};
+  const Pack scale = select(round, Pack{}, q / select(round, broadcast(1), radius));
+  return {select(low, p + scale * half, plain.xx), select(low, scale * xy, plain.xy),
+          select(low, p - scale * half, plain.yy)};
 }
 
 }  // namespace VBGPD_ISA

@@ -274,8 +274,6 @@ TEST(RunoutPairLaws, VelocitiesAndForcesCanBeWrittenAndOnlyFiniteOnes) {
   v[3] = std::nan("");
   EXPECT_THROW(s->write(find_field("velocity"), v), Error);
   EXPECT_THROW(s->write(find_field("external_force"), v), Error);
-  v.resize(v.size() / 2, 0);
-  EXPECT_THROW(s->write(find_field("pore_pressure"), v), Error);
 }
 
 /// Two elastic rings of radii 3 and 4 that meet at 0.118 of the wave speed (Gray, Monaghan & Swift 2001), coarse.

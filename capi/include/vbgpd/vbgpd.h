@@ -317,8 +317,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_snapshot(const vbgpd_model*, void*
 /* A new model that goes on from the present state of `from` (positions, stresses, plastic strain, strength reduction factor;
  * at rest) in updated-Lagrangian form: bonds come and go with the neighbours, walls are mirrors that go on straight beyond
  * the section where nothing adjoins. `from` may be fresh, loaded by an equilibrium job, or failed by a strength reduction; it
- * is not changed. The new model has soil only, same ids, and is stepped, set, read, saved like any other; loads stay on their
- * particles, pore water pushes them as at the hand-over. get_f64 also knows peak_kinetic_energy, viscous_dissipation, contact_work,
+ * is not changed. The new model has soil only (same ids unless layers are off) and is stepped, set, read, saved like any other; loads stay on their
+ * particles, pore pressures move with them. get_f64 also knows peak_kinetic_energy, viscous_dissipation, contact_work,
  * yielding_area, viscosity (alpha c h, m2/s), neighbour_searches. VBGPD_E_STATE: `from` is one already; UNSUPPORTED: moving boundaries. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_runout(const vbgpd_model* from, vbgpd_model** out);
 /* Works on a run-out model. A model without stress is first brought to equilibrium under gravity without strengths (phase 1);
@@ -492,7 +492,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_events_read(vbgpd_model*, int64_t 
  *   stress - pore_pressure. The pressure goes on into the wall particles: set them too (_points and _grid do). Where it is
  *   not 0 at the ground, the water standing there is a load of its own. Jobs count it in, on every grid.
  * external_force (N per metre run, x and y): added to weight and loads.
- * velocity (m/s): of what walls do not hold; the energy ledger books it as external work. A run-out takes the last two.
+ * velocity (m/s): of what walls do not hold; the energy ledger books it as external work.
  * A number that is not finite gives VBGPD_E_RANGE with the particle in the error record's item. */
 /* n items in the order of the selection (NULL = all particles by id); n must be their number. strides as _read_f64. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_f64(vbgpd_model*, int32_t field, const vbgpd_selection* selection, const double* src, int64_t stride_item, int64_t stride_component, int64_t n);
@@ -516,8 +516,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_boundary_velocity(vbgpd_model*
  *   no stress changes in what was there. Then it weighs. Its "displacement" counts from the undeformed section.
  * Saved states and checkpoints bring their layers back; jobs take them over on every grid. Costs about what a model costs to
  * create, in time and for that time in memory. Setting what is so does nothing.
- * VBGPD_E_ARGUMENT: no such layer, active neither 0 nor 1, or no soil would be left. VBGPD_E_UNSUPPORTED: a run-out; nor can a
- * run-out be made of a model with layers switched off (draw the profile of that stage). */
+ * VBGPD_E_ARGUMENT: no such layer, active neither 0 nor 1, or no soil would be left. VBGPD_E_UNSUPPORTED: a run-out. One
+ * made of a model with layers switched off has the soil that is there, numbered anew in the order of the ids, and all its walls. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_layer_active(vbgpd_model*, int64_t layer_id, int32_t active);
 /* The force of a boundary on the soil, N per metre run, of total stress: on a slope at rest the reactions of all boundaries
  * balance weight, loads and forces from outside on the soil. Of a run-out: that of the step to come (costs one step). */
