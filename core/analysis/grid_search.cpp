@@ -29,12 +29,6 @@ double slowness(const SceneDef& scene) {
   return stiffest > softest ? std::min(std::sqrt(stiffest / softest), kMost) : 1;
 }
 
-/// Friction without as much dilatancy.
-bool may_soften(const SceneDef& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const MaterialDef& m) { return m.law != "elastic" && m.friction_angle > m.dilatancy_angle; });
-}
-
 }  // namespace
 
 void GridSearch::set_factor(double factor) {
@@ -52,7 +46,8 @@ double GridSearch::notched(double factor) const {
 double GridSearch::middle() const {
   const double width = failed_ - stable_, notch = kNotch * options_.tolerance;
   double cut = (stable_ + failed_) / 2;
-  if (verdict_ == Verdict::kUndecided) cut += width / 4;
+  constexpr double kBeside[] = {0, 0.25, -0.25, 0.375, -0.375};
+  if (aside_ > 0) cut += width * kBeside[std::min<std::size_t>(aside_, std::size(kBeside) - 1)];
   else if (width <= 2 * options_.tolerance) cut = failed_ - options_.tolerance;
   return notched(cut + 0.5 * notch);
 }
@@ -113,6 +108,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
   }
   trials_.back() = trial;
   verdict_ = trial.verdict;
+  aside_ = trial.verdict == Verdict::kUndecided ? aside_ + 1 : 0;
   if (run.diverged()) {
     end_ = SearchEnd::kDiverged, done_ = true;
     reason_ = "displacements ran away at F = " + number_text(factor);
@@ -123,7 +119,10 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
     standing_ = simulation_.save();
   }
   if (trial.verdict == Verdict::kFailed) {
-    if (!(failed_ <= factor)) failed_ = factor, failing_ = simulation_.save(), unsteadiness_ = trial.unsteadiness;
+    if (!(failed_ <= factor)) {
+      failed_ = factor, failing_ = simulation_.save();
+      unsteadiness_ = trial.unsteadiness, failing_flow_ = trial.power_ratio;
+    }
     displacement_level_ = trial.displacement_level;
     constexpr double kGathers = 0.5;
     softened_ = trial.unbalanced_force_slope > kGathers;
@@ -262,7 +261,7 @@ Slices GridSearch::fast_bracket() {
   double low = std::max(options_.srf_min, notched(flow_));
   // lower end: the same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further
   // down
-  bool descended = false;
+  double first_flow = kNone;
   for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
     if (done_ || verdict_ == Verdict::kStable) break;
@@ -270,8 +269,8 @@ Slices GridSearch::fast_bracket() {
       end_below();
       co_return;
     }
-    descended = true;
     const double flow = verdict_ == Verdict::kFailed ? trials_.back().power_ratio : low;
+    if (std::isnan(first_flow) && verdict_ == Verdict::kFailed) first_flow = flow;
     low = std::max(options_.srf_min, notched(std::min(low - step, flow)));
   }
   // upper end: from the state at rest, a little more; if it stands, it is the new lower end; where it creeps, a notch
@@ -294,15 +293,15 @@ Slices GridSearch::fast_bracket() {
     simulation_.restore(*standing_);
     for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
-  constexpr double kFar = 24;  // displacement level: twice that at which flows are read
-  const bool worn = descended && displacement_level_ > kFar && may_soften(simulation_.scene());
+  constexpr double kWorn = 0.003;
+  const bool worn = failing_flow_ < (1 - kWorn) * first_flow;
   if (!done_ && (softened_ || worn))
     for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
 }
 
-/// Non-associated soil may soften while it flows (unbalanced force that grows is the sign, or a flow that had to be
-/// followed far): then a failure reached through a flow holds for softened soil only, and the upper end is shown again
-/// from the untouched gravity state.
+/// Non-associated soil may soften while it flows (unbalanced force that grows is a sign, F_e that falls while the flow
+/// is followed down another): then a failure reached through a flow holds for softened soil only, and the upper end is
+/// shown again from the untouched gravity state.
 Slices GridSearch::upper_end_from_gravity() {
   const double notch = kNotch * options_.tolerance;
   const double through_flow = failed_;

@@ -62,7 +62,9 @@ class GridSearch {
   std::int64_t response_ = 0;
   double elastic_displacement_ = 0, stable_ = kNone, failed_ = kNone, flow_ = kNone, displacement_level_ = kNone;
   double unsteadiness_ = 0;
+  double failing_flow_ = kNone;  // F_e at the failed end
   Verdict verdict_ = Verdict::kUndecided;
+  std::size_t aside_ = 0;  // undecided trials since the last verdict
   SearchEnd end_ = SearchEnd::kNotConverged;
   std::string reason_;
   int patience_ = TrialRules{}.patience;
