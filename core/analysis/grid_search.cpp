@@ -44,11 +44,11 @@ double GridSearch::notched(double factor) const {
 /// Where the bracket is cut: in its middle, or beside that after an undecided trial there. Where one more verdict
 /// closes it either way, as low as that allows: the lower, the sooner it stands.
 double GridSearch::middle() const {
-  const double width = failed_ - stable_, notch = kNotch * options_.tolerance;
-  double cut = (stable_ + failed_) / 2;
+  const double above = std::fmin(failed_, runaway_), width = above - stable_, notch = kNotch * options_.tolerance;
+  double cut = (stable_ + above) / 2;
   constexpr double kBeside[] = {0, 0.25, -0.25, 0.375, -0.375};
   if (aside_ > 0) cut += width * kBeside[std::min<std::size_t>(aside_, std::size(kBeside) - 1)];
-  else if (width <= 2 * options_.tolerance) cut = failed_ - options_.tolerance;
+  else if (width <= 2 * options_.tolerance) cut = above - options_.tolerance;
   return notched(cut + 0.5 * notch);
 }
 
@@ -109,11 +109,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
   trials_.back() = trial;
   verdict_ = trial.verdict;
   aside_ = trial.verdict == Verdict::kUndecided ? aside_ + 1 : 0;
-  if (run.diverged()) {
-    end_ = SearchEnd::kDiverged, done_ = true;
-    reason_ = "displacements ran away at F = " + number_text(factor);
-    co_return;
-  }
+  if (run.diverged()) run_away(factor);
   if (trial.verdict == Verdict::kStable) {
     stable_ = std::isnan(stable_) ? factor : std::max(stable_, factor);
     standing_ = simulation_.save();
@@ -127,8 +123,20 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
     constexpr double kGathers = 0.5;
     softened_ = trial.unbalanced_force_slope > kGathers;
   }
-  if (trial.verdict == Verdict::kUndecided) set_aside(trial);
+  if (trial.verdict == Verdict::kUndecided && !run.diverged()) set_aside(trial);
+  if (runaway_ - stable_ <= options_.tolerance * (1 + 1e-9) && !(failed_ <= runaway_))
+    end_ = SearchEnd::kDiverged, done_ = true;
   progress_.srf_stable = stable_, progress_.srf_unstable = failed_;
+}
+
+/// Displacements that run away are no verdict: the flow was too fast to follow, a slower one is looked for below.
+void GridSearch::run_away(double factor) {
+  constexpr int kMost = 12;
+  simulation_.restore(*standing_);
+  aside_ = 0;
+  runaway_ = std::fmin(runaway_, factor);
+  reason_ = "displacements ran away at F = " + number_text(factor);
+  if (++runaways_ >= kMost) end_ = SearchEnd::kDiverged, done_ = true;
 }
 
 /// A factor that could not be decided is no verdict: another one is tried beside it, a few times.
@@ -277,7 +285,7 @@ Slices GridSearch::fast_bracket() {
   // more, then two, going on from there
   patience_ = kBriefly;
   double step = options_.tolerance, aside = notch;
-  for (double high = stable_ + step; !done_ && !(failed_ <= high);) {
+  for (double high = stable_ + step; !done_ && !(failed_ <= high) && !(runaway_ <= high);) {
     high = std::min(options_.srf_max, notched(high + 0.5 * notch));
     for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};
     if (!done_ && verdict_ == Verdict::kStable && high >= options_.srf_max) {
@@ -308,7 +316,7 @@ Slices GridSearch::upper_end_from_gravity() {
   const std::shared_ptr<SavedState> flow = failing_;
   double factor = failed_;
   failed_ = kNone;
-  for (double step = 2 * notch; !done_ && std::isnan(failed_); step *= 2) {
+  for (double step = 2 * notch; !done_ && std::isnan(failed_) && !(runaway_ <= factor); step *= 2) {
     simulation_.restore(*gravity_);
     for (Slices s = try_factor(factor, Phase::kFailedEnd); s.next();) co_yield Pause{};
     factor = std::min(options_.srf_max, notched(factor + step + 0.5 * notch));
@@ -329,12 +337,13 @@ Slices GridSearch::upper_end_from_gravity() {
 Slices GridSearch::bisection() {
   const auto from_gravity = [&] { simulation_.restore(*gravity_); };
   double factor = std::clamp(std::isnan(options_.guess) ? 1.0 : options_.guess, options_.srf_min, options_.srf_max);
-  for (double step = 1.25; !done_ && (std::isnan(stable_) || std::isnan(failed_)); step = std::min(2.0, step * 1.1)) {
+  for (double step = 1.25; !done_ && (std::isnan(stable_) || std::isnan(std::fmin(failed_, runaway_)));
+       step = std::min(2.0, step * 1.1)) {
     from_gravity();
     for (Slices s = try_factor(factor, Phase::kSearch); s.next();) co_yield Pause{};
     if (done_) co_return;
     if (verdict_ == Verdict::kUndecided) {
-      factor = std::clamp(factor * 0.97, options_.srf_min, options_.srf_max);
+      factor = std::clamp(runaway_ <= factor ? factor / step : factor * 0.97, options_.srf_min, options_.srf_max);
       continue;
     }
     const bool stood = verdict_ == Verdict::kStable;

@@ -51,6 +51,7 @@ class GridSearch {
   void end_below();
   void end_above();
   void set_aside(const Trial& trial);
+  void run_away(double factor);
   bool closed() const { return failed_ - stable_ <= options_.tolerance * (1 + 1e-9); }
 
   Simulation& simulation_;
@@ -63,12 +64,13 @@ class GridSearch {
   double elastic_displacement_ = 0, stable_ = kNone, failed_ = kNone, flow_ = kNone, displacement_level_ = kNone;
   double unsteadiness_ = 0;
   double failing_flow_ = kNone;  // F_e at the failed end
+  double runaway_ = kNone;       // lowest factor at which displacements ran away
   Verdict verdict_ = Verdict::kUndecided;
   std::size_t aside_ = 0;  // undecided trials since the last verdict
   SearchEnd end_ = SearchEnd::kNotConverged;
   std::string reason_;
   int patience_ = TrialRules{}.patience;
-  int undecided_ = 0;
+  int undecided_ = 0, runaways_ = 0;
   bool softened_ = false;  // the last failed trial gathered force on its way
   bool done_ = false;
 };

@@ -50,6 +50,16 @@ TEST(GriffithsLane, ExampleOneLiesWithinOnePercentOfThePublishedSpan) {
   EXPECT_LE(r.factor_of_safety, 1.40 * 1.01);
 }
 
+/// Limit analysis holds for associated flow. High above FS such a flow runs away, and the search looks further below.
+TEST(DawsonSlope, WithAssociatedFlowHasTheFactorOfSafetyOfLimitAnalysis) {
+  SceneDef s = scene("dawson_45");
+  for (MaterialDef& m : s.materials) m.dilatancy_angle = m.friction_angle;
+  const JobResult r = solve(s, 2);
+  EXPECT_EQ(r.status, "OK");
+  EXPECT_NEAR(r.factor_of_safety, 1, 0.01);  // c / gamma H = 0.0619, phi = 20, 45 degrees (Chen 1975)
+  EXPECT_LE(std::fabs(r.factor_of_safety - 1), r.error_estimate);
+}
+
 SceneDef small_slope() {
   SceneDef s = scene("gl_1");
   s.spacing = 1;
