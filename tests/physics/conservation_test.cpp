@@ -15,6 +15,7 @@ struct Arrangement {
   const char* bond;
   double jitter;
 };
+void PrintTo(const Arrangement& a, std::ostream* out) { *out << a.bond << ", jitter " << a.jitter; }
 class BothBondLaws : public testing::TestWithParam<Arrangement> {
  protected:
   static SceneDef arranged(SceneDef scene) {
