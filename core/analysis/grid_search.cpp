@@ -131,7 +131,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
 
 /// Displacements that run away are no verdict: the flow was too fast to follow, a slower one is looked for below.
 void GridSearch::run_away(double factor) {
-  constexpr int kMost = 12;
+  constexpr int kMost = 3;
   simulation_.restore(*standing_);
   aside_ = 0;
   runaway_ = std::fmin(runaway_, factor);
