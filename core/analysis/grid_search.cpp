@@ -16,6 +16,7 @@ constexpr double kNotch =
 constexpr double kFall = 0.01;  // F_e is past its peak when it falls by more than this
 
 constexpr int kBriefly = 4;  // response times a trial may take where another factor beside it would do
+constexpr int kLong = 14;    // ... where one further away would do
 
 /// The masses of the relaxation follow the stiffness: a mechanism in the stiffest soil gathers speed so many times more
 /// slowly than one in the softest, which the elastic response does not show.
@@ -41,13 +42,18 @@ double GridSearch::notched(double factor) const {
   return notch * std::floor(factor / notch + 1e-9);
 }
 
-/// Where the bracket is cut: in its middle, or beside that after an undecided trial there. Where one more verdict
-/// closes it either way, as low as that allows: the lower, the sooner it stands.
+/// Where the bracket is cut: below the factor the flow would balance at, then above it, for near it a slope neither
+/// rests nor flows; in the middle where that is not known; beside that after an undecided trial there. Where one more
+/// verdict closes it either way, as low as that allows: the lower, the sooner it stands.
 double GridSearch::middle() const {
   const double above = std::fmin(failed_, runaway_), width = above - stable_, notch = kNotch * options_.tolerance;
   double cut = (stable_ + above) / 2;
   constexpr double kBeside[] = {0, 0.25, -0.25, 0.375, -0.375};
+  const auto inside = [&](double f) { return f > stable_ + 0.5 * notch && f < above - 0.5 * notch; };
+  const double below = notched(flow_ - notch);
   if (aside_ > 0) cut += width * kBeside[std::min<std::size_t>(aside_, std::size(kBeside) - 1)];
+  else if (inside(below)) cut = below;
+  else if (inside(below + options_.tolerance)) cut = below + options_.tolerance;
   else if (width <= 2 * options_.tolerance) cut = above - options_.tolerance;
   return notched(cut + 0.5 * notch);
 }
@@ -110,6 +116,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
   verdict_ = trial.verdict;
   aside_ = trial.verdict == Verdict::kUndecided ? aside_ + 1 : 0;
   if (run.diverged()) run_away(factor);
+  else if (trial.verdict != Verdict::kStable && !std::isnan(flow_)) flow_ = trial.power_ratio;
   if (trial.verdict == Verdict::kStable) {
     stable_ = std::isnan(stable_) ? factor : std::max(stable_, factor);
     standing_ = simulation_.save();
@@ -139,14 +146,17 @@ void GridSearch::run_away(double factor) {
   if (++runaways_ >= kMost) end_ = SearchEnd::kDiverged, done_ = true;
 }
 
-/// A factor that could not be decided is no verdict: another one is tried beside it, a few times.
+/// A factor that could not be decided is no verdict: another one is tried beside it, from where this one got to, a few
+/// times.
 void GridSearch::set_aside(const Trial& trial) {
-  constexpr int kMost = 6;
+  constexpr double kMost = 6;  // as many as run out of the whole patience, or more that were given up sooner
   reason_ = "at F = " + number_text(trial.strength_reduction_factor) +
             " neither equilibrium nor steady failure showed within " + std::to_string(trial.steps) +
             " steps (unbalanced force ratio " + number_text(trial.unbalanced_force_ratio) + ")";
   patience_ = std::min(2 * patience_, TrialRules{}.patience);
-  if (++undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
+  const std::int64_t longest = options_.step_limit > 0 ? options_.step_limit : TrialRules{}.patience * response_;
+  undecided_ += std::max(0.1, static_cast<double>(trial.steps) / static_cast<double>(longest));
+  if (undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
 }
 
 /// Overshoot and follow: let the slope flow a little above its factor of safety and read where the flow would just
@@ -270,16 +280,20 @@ Slices GridSearch::fast_bracket() {
   // lower end: the same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further
   // down
   double first_flow = kNone;
-  for (double step = 2 * notch; !done_ && !(stable_ >= low); step *= 2) {
+  patience_ = kLong;
+  for (double step = 2 * notch; !done_ && !(stable_ >= low);) {
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
     if (done_ || verdict_ == Verdict::kStable) break;
     if (low <= options_.srf_min && verdict_ == Verdict::kFailed) {
       end_below();
       co_return;
     }
-    const double flow = verdict_ == Verdict::kFailed ? trials_.back().power_ratio : low;
-    if (std::isnan(first_flow) && verdict_ == Verdict::kFailed) first_flow = flow;
-    low = std::max(options_.srf_min, notched(std::min(low - step, flow)));
+    double balance = flow_ - notch;  // undecided: the flow is all but in balance, stay clear of that
+    if (verdict_ == Verdict::kFailed) {
+      if (std::isnan(first_flow)) first_flow = flow_;
+      balance = std::min(low - step, flow_), step *= 2;
+    }
+    low = std::max(options_.srf_min, notched(std::min(low - notch, balance)));
   }
   // upper end: from the state at rest, a little more; if it stands, it is the new lower end; where it creeps, a notch
   // more, then two, going on from there
@@ -296,9 +310,10 @@ Slices GridSearch::fast_bracket() {
     if (verdict_ == Verdict::kUndecided) aside *= 2;
   }
   patience_ = TrialRules{}.patience;
-  // between a standing and a failing factor further apart than asked: halve, from the last state at rest
+  // between a standing and a failing factor further apart than asked: halve, from the last state at rest, or from how
+  // far an undecided one got
   while (!done_ && !closed()) {
-    simulation_.restore(*standing_);
+    if (verdict_ != Verdict::kUndecided) simulation_.restore(*standing_);
     for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
   constexpr double kWorn = 0.003;

@@ -70,7 +70,8 @@ class GridSearch {
   SearchEnd end_ = SearchEnd::kNotConverged;
   std::string reason_;
   int patience_ = TrialRules{}.patience;
-  int undecided_ = 0, runaways_ = 0;
+  double undecided_ = 0;  // trials without a verdict, by the share of the longest one they took
+  int runaways_ = 0;
   bool softened_ = false;  // the last failed trial gathered force on its way
   bool done_ = false;
 };

@@ -20,13 +20,18 @@ Stopwatch::Stopwatch() : wall_(wall_now()), cpu_(cpu_now()) {}
 double Stopwatch::wall() const { return wall_now() - wall_; }
 double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 
-/// The first two signals of a failure: unbalanced force on a plateau, displacement growing and not slowing down, over
-/// one response time, or over three once the momentum had to restart (the forces turned against the motion: the flow is
-/// jerky). A flow that would balance at the very factor tried, or is hardening towards that, is creep on the way to
-/// rest, not failure.
+/// The first two signals of a failure: unbalanced force on a plateau, displacement growing and not slowing down. Looked
+/// at over one response time, or over three once the momentum had to restart (the forces turned against the motion: the
+/// flow is jerky), and over many, where a flow so slow that a brief look cannot tell it from rest shows itself.
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
   const bool jerky = last.since_restart < std::min(3 * response_, trial.steps);
-  const int times = jerky ? 3 : 1;
+  return last.power_ratio < 1 - rules_.drive &&
+         (flows(history, jerky ? 3 : 1, trial) || flows(history, rules_.long_look, trial));
+}
+
+/// The signals over so many response times. A flow that would balance at the very factor tried, or is hardening towards
+/// that, is creep on the way to rest, not failure.
+bool TrialRun::flows(const std::vector<Window>& history, int times, Trial& trial) const {
   const auto span = static_cast<std::size_t>(2 * times * std::max<std::int64_t>(2, response_ / (2 * kWindow)));
   if (history.size() <= span) return false;
   const Window &now = history.back(), &half = history[history.size() - 1 - span / 2],
@@ -38,7 +43,7 @@ bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& la
     return sum / static_cast<double>(from - to);
   };
   const double earlier = mean(span, span / 2, &Window::ratio), later = mean(span / 2, 0, &Window::ratio);
-  trial.unbalanced_force_slope = earlier > 0 && later > 0 ? 2 * std::log(later / earlier) : 0;
+  const double slope = earlier > 0 && later > 0 ? 2 * std::log(later / earlier) : 0;
   const double power = mean(span / 2, 0, &Window::power_ratio),
                hardening = 2 * (power - mean(span, span / 2, &Window::power_ratio)) / times;
   // F_e of a jerky flow strays: RMS about the line through its two means
@@ -48,14 +53,18 @@ bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& la
         power + (hardening * times / 2) * (0.5 - 2 * static_cast<double>(k) / static_cast<double>(span));
     squares += std::pow(history[history.size() - 1 - k].power_ratio - line, 2);
   }
-  trial.unsteadiness = trial.strength_reduction_factor * std::sqrt(squares / static_cast<double>(span));
-  trial.displacement_growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
-  const bool plateau =
-      trial.unbalanced_force_slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
-  const bool grows = trial.displacement_growth > times * rules_.growth &&
+  const double growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
+  const bool brief = times < rules_.long_look;
+  const bool plateau = slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
+  const bool grows = growth > (brief ? times : 1) * rules_.growth &&
                      now.displacement - half.displacement >= half.displacement - then.displacement;
-  const bool driven = last.power_ratio < 1 - rules_.drive && power + rules_.catching_up * hardening < 1;
-  return plateau && grows && driven;
+  const bool driven = power + std::max(rules_.catching_up, brief ? 0.0 : 2.0 * times) * hardening < 1;
+  const bool fails = plateau && grows && driven;
+  if (brief || fails) {
+    trial.unbalanced_force_slope = slope, trial.displacement_growth = growth;
+    trial.unsteadiness = trial.strength_reduction_factor * std::sqrt(squares / static_cast<double>(span));
+  }
+  return fails;
 }
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {

@@ -17,6 +17,7 @@ struct TrialRules {
       0.02;  ///< failed: u_max grew by this share of its elastic value over a response time, not slower than before
   double drive = 0;             ///< failed: F_e = F (internal power / external power) lies below F by this share of it
   double catching_up = 8;       ///< ... and would not have risen to it in so many response times at its present rate
+  int long_look = 12;           ///< response times over which the same growth tells a slow flow from creep to rest
   int patience = 30;            ///< undecided after so many response times, or ...
   std::int64_t step_limit = 0;  ///< ... after so many steps, if any
 };
@@ -37,6 +38,7 @@ class TrialRun {
     double ratio, displacement, power_ratio;
   };
   bool failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const;
+  bool flows(const std::vector<Window>& history, int times, Trial& trial) const;
   Simulation& simulation_;
   TrialRules rules_;
   std::int64_t response_;

@@ -368,9 +368,9 @@ typedef struct vbgpd_trial {
   int32_t band_connected;           /* 1: yielding bonds join the ground surface to the ground surface */
   double strength_reduction_factor;
   double unbalanced_force_ratio;    /* at the end: sum |f| / sum m g */
-  double unbalanced_force_slope;    /* change of its logarithm over the last response time; about 0 = plateau */
+  double unbalanced_force_slope;    /* change of its logarithm over the last look; about 0 = plateau */
   double displacement_level;        /* E u_max / gamma H^2 at the end */
-  double displacement_growth;       /* growth of u_max over the last response time, relative to the elastic u_max */
+  double displacement_growth;       /* growth of u_max over the last look, relative to the elastic u_max */
   double power_ratio;               /* internal / gravity power times F: the F this flow would just balance; NaN = at rest */
   int64_t steps;
   double wall_seconds;
