@@ -155,7 +155,7 @@ void GridSearch::set_aside(const Trial& trial) {
             " steps (unbalanced force ratio " + number_text(trial.unbalanced_force_ratio) + ")";
   patience_ = std::min(2 * patience_, TrialRules{}.patience);
   const std::int64_t longest = options_.step_limit > 0 ? options_.step_limit : TrialRules{}.patience * response_;
-  undecided_ += std::max(0.1, static_cast<double>(trial.steps) / static_cast<double>(longest));
+  undecided_ += std::max(0.5, static_cast<double>(trial.steps) / static_cast<double>(longest));
   if (undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
 }
 
