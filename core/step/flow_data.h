@@ -74,7 +74,7 @@ struct FlowData {
   double *stress, *gap, *plastic_strain, *wall_shear, *wall_limit, *traction, *dead;
   // scratch; motion is the state's, with ghosts
   double *motion, *next_motion, *next_stress, *gradient, *bond, *inverse, *flux, *slope_x, *slope_y, *pair_force,
-      *weight, *artificial;
+      *weight, *artificial, *pairs;
 };
 
 }  // namespace vbgpd
