@@ -170,6 +170,7 @@ FlowControls FlowSimulation::controls() const {
   c.viscosity = model_.viscosity;
   c.guard_distance = o.guard_distance;
   c.guard_stiffness = o.guard_stiffness;
+  c.guard_reach = o.guard_distance * *std::max_element(model_.size.data(), model_.size.data() + model_.particles);
   c.diffusion = 2 * o.stress_diffusion * h;
   c.disturbed = o.disturbed;
   c.smallest_eigenvalue = o.smallest_eigenvalue;

@@ -36,10 +36,11 @@ VBGPD_INLINE bool add_soil_strain(const FlowData& d, const FlowControls& c, int 
     return false;
   }
   const Pack r = root(r2), weight = pair_weight(c, r);
-  const Quads self = broadcast_quad(d.constants + 4l * i), end = load_quads(d.constants, j);
+  const Pairs end = load_pairs(d.constants, j);
+  const double *const self = d.constants + 4l * i;
   const Pack vx = other.c - own.c, vy = other.d - own.d;
-  add_viscosity(c, x, y, vx, vy, weight, 0.5 * (self.b * end.a + self.a * end.b), s.approach);
-  if constexpr (PairLaw::kGuard) add_guard(c, x, y, r, self, end, s.approach);
+  add_viscosity(c, x, y, r2, vx, vy, weight, 0.5 * (self[1] * end.a + self[0] * end.b), s.approach);
+  if constexpr (PairLaw::kGuard) add_guard(c, x, y, r, d.constants, i, j, s.approach);
   Pack joined = weight * end.a;
   if constexpr (PairLaw::kSprings) {
     const double own_stretch = c.laws[d.soil[i]].breaking_stretch;
@@ -61,11 +62,11 @@ template <class PairLaw>
 VBGPD_INLINE void add_ghost_strain(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowStrainSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
   const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
-  const Pack x = other.a - own.a, y = other.b - own.b, r = root(x * x + y * y);
+  const Pack x = other.a - own.a, y = other.b - own.b, r2 = x * x + y * y, r = root(r2);
   Pack weight = pair_weight(c, r) * load_each(d.volume, j);
   if constexpr (PairLaw::kSprings) weight = select(r < c.spring_reach, weight, Pack{});
   const Pack vx = other.c - own.c, vy = other.d - own.d;
-  add_viscosity(c, x, y, vx, vy, weight, broadcast(d.constants[4l * i + 1]), s.approach);
+  add_viscosity(c, x, y, r2, vx, vy, weight, broadcast(d.constants[4l * i + 1]), s.approach);
   s.add(weight, weight * x, weight * y, x, y, vx, vy);
 }
 
