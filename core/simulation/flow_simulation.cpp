@@ -125,6 +125,8 @@ void FlowSimulation::arrange(const FlowLists& lists, FlowScratch& scratch) const
   if (model_.bond == FlowBondLaw::kVirtual && scratch.pair_force.size() != 2 * n)
     scratch.pair_force.allocate(2 * n, stagger++, model_.heap);
   scratch.weight.allocate(4 * (lists.ghosts.size() + 1), stagger++, model_.heap);
+  if (scratch.pairs.size() < 4 * lists.neighbours.size())
+    scratch.pairs.allocate(4 * lists.neighbours.size(), stagger++, model_.heap);
   for (Array* a : {&scratch.gradient, &scratch.bond, &scratch.flux, &scratch.slope_x, &scratch.slope_y})
     for (std::size_t k = 0; a->present() && k < 4; ++k) (*a)[4 * n + k] = 0;
   for (std::size_t k = 0; k < 4; ++k) scratch.motion[4 * n + k] = k < 2 ? kBlank : 0;
@@ -151,7 +153,7 @@ FlowData FlowSimulation::data(FlowState& s) const {
   d.bond = scratch_.bond.data(), d.inverse = scratch_.inverse.data(), d.flux = scratch_.flux.data();
   d.slope_x = scratch_.slope_x.data(), d.slope_y = scratch_.slope_y.data();
   d.pair_force = scratch_.pair_force.data(), d.weight = scratch_.weight.data();
-  d.artificial = scratch_.artificial.data();
+  d.artificial = scratch_.artificial.data(), d.pairs = scratch_.pairs.data();
   return d;
 }
 
@@ -168,6 +170,7 @@ FlowControls FlowSimulation::controls() const {
   c.viscosity = model_.viscosity;
   c.guard_distance = o.guard_distance;
   c.guard_stiffness = o.guard_stiffness;
+  c.guard_reach = o.guard_distance * *std::max_element(model_.size.data(), model_.size.data() + model_.particles);
   c.diffusion = 2 * o.stress_diffusion * h;
   c.disturbed = o.disturbed;
   c.smallest_eigenvalue = o.smallest_eigenvalue;

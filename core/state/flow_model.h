@@ -125,6 +125,8 @@ struct FlowScratch {
   Array artificial;           ///< artificial stress xx, yy, xy, with the law that has it
   Array pair_force;           ///< [2n], with virtual bonds
   Array weight;               ///< [4(1 + ghosts)] share of the weight in the stress of the mirror images
+  /// [16] for each pack of soil: V_j omega xi_x, V_j omega xi_y, V_j omega, 1/r; found once, used in three passes.
+  Array pairs;
   std::size_t bytes() const;
 };
 

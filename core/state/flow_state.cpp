@@ -32,7 +32,7 @@ std::size_t FlowLists::bytes() const {
 
 std::size_t FlowScratch::bytes() const {
   return bytes_of({&motion, &next_motion, &next_stress, &gradient, &bond, &inverse, &flux, &slope_x, &slope_y,
-                   &artificial, &pair_force, &weight});
+                   &artificial, &pair_force, &weight, &pairs});
 }
 
 void FlowState::allocate(const FlowModel& m) {

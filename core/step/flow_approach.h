@@ -14,16 +14,18 @@ struct FlowApproach {
 
 /// Monaghan's viscosity on approach: V_i V_j rho omega (alpha c h) (v . xi)/(r2 + 0.01 h2) xi, v . xi < 0; mass: rho
 /// V_i V_j
-VBGPD_INLINE void add_viscosity(const FlowControls& c, Pack x, Pack y, Pack vx, Pack vy, Pack weight, Pack mass,
-                                FlowApproach& s) {
+VBGPD_INLINE void add_viscosity(const FlowControls& c, Pack x, Pack y, Pack r2, Pack vx, Pack vy, Pack weight,
+                                Pack mass, FlowApproach& s) {
   const Pack closing = smaller(vx * x + vy * y, Pack{});
-  const Pack drag = c.viscosity * weight * mass * closing / (x * x + y * y + c.softening);
+  const Pack drag = c.viscosity * closing / (r2 + c.softening) * (weight * mass);  // the division waits for no root
   s.hx += drag * x, s.hy += drag * y;
 }
 
-/// Guard of four pairs: kappa (K + 4G/3) (b s - r), s the mean side of the two particles. self, end: their constants.
-VBGPD_INLINE void add_guard(const FlowControls& c, Pack x, Pack y, Pack r, const Quads& self, const Quads& end,
-                            FlowApproach& s) {
+/// Guard of four pairs: kappa (K + 4G/3) (b s - r), s the mean side of the two particles. constants: of all particles.
+VBGPD_INLINE void add_guard(const FlowControls& c, Pack x, Pack y, Pack r, const double* constants, int i,
+                            const std::int32_t* j, FlowApproach& s) {
+  if (!any(r < c.guard_reach)) return;
+  const Quads self = broadcast_quad(constants + 4l * i), end = load_quads(constants, j);
   const Pack overlap = larger(0.5 * c.guard_distance * (self.d + end.d) - r, Pack{});
   if (!any(overlap > Pack{})) return;
   const Pack push = 0.5 * c.guard_stiffness * (self.c + end.c) * overlap, over_r = push / r;

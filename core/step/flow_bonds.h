@@ -11,7 +11,8 @@ inline namespace VBGPD_ISA {
 struct FlowBondSums {
   Pack zxx{}, zxy{}, zyx{}, zyy{};  ///< sum B tau (x) n
   Pack fx{}, fy{}, work{};          ///< sum B tau / r, sum B tau . q dt
-  Pack slope_x{}, slope_y{};        ///< sum V_j omega (sigma_j - sigma_i) xi, by component of the stress
+  Pack slope_x{}, slope_y{};        ///< sum V_j omega sigma_j xi, by component of the stress
+  Pack wx{}, wy{};                  ///< sum V_j omega xi
 };
 
 /// Four bonds of particle i (the first line is for laws with such bonds):
@@ -20,22 +21,20 @@ struct FlowBondSums {
 template <class PairLaw, bool kDiffuse>
 VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowBondSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
-  const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
-  const Pack x = other.a - own.a, y = other.b - own.b, r = root(x * x + y * y);
-  const Pack weight = pair_weight(c, r);
+  const double* const pair = d.pairs + 16l * p;
+  const Pack wx = load(pair), wy = load(pair + 4);
   if constexpr (kDiffuse) {
-    const Pack share = weight * load_each(d.volume, j);
-    const Lanes wx(share * x), wy(share * y);
-    const Pack mine = load(d.stress + 4l * i);
+    s.wx += wx, s.wy += wy;
     for (int k = 0; k < 4; ++k) {
-      const Pack difference = load(d.stress + 4l * j[k]) - mine;
-      s.slope_x += difference * wx[k], s.slope_y += difference * wy[k];
+      const Pack stress = load(d.stress + 4l * j[k]);
+      s.slope_x += stress * broadcast(pair[k]), s.slope_y += stress * broadcast(pair[4 + k]);
     }
   }
   if constexpr (PairLaw::kBonds) {
     double* const record = d.traction + 8l * p;
+    const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
+    const Pack x = other.a - own.a, y = other.b - own.b, weight = load(pair + 8), inverse_r = load(pair + 12);
     const Quads bond = broadcast_quad(d.bond + 4l * i), end = load_quads(d.bond, j);
-    const Pack inverse_r = 1.0 / r;
     const Quads l = broadcast_quad(d.gradient + 4l * i), k = load_quads(d.gradient, j);
     const Pack bxx = (l.a + k.a) * 0.5, bxy = (l.b + k.b) * 0.5, byx = (l.c + k.c) * 0.5, byy = (l.d + k.d) * 0.5;
     const Pack qx = (other.c - own.c - bxx * x - bxy * y) * inverse_r;
@@ -48,10 +47,10 @@ VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std
     const Pack ty = select(near, ratio * (cosine * oy + angle * ox + stiffness * qy), Pack{});
     store(record, tx), store(record + 4, ty);
 
-    const Pack volume = bond.d * end.d * weight * (bond.b + end.b);
-    const Pack fx = volume * tx * inverse_r, fy = volume * ty * inverse_r;
-    s.fx += fx, s.fy += fy;
-    s.zxx += fx * x, s.zxy += fx * y, s.zyx += fy * x, s.zyy += fy * y;
+    const Pack share = bond.d * (bond.b + end.b), over_r = share * inverse_r, volume = share * weight;
+    const Pack gx = over_r * tx, gy = over_r * ty;
+    s.fx += gx * weight, s.fy += gy * weight;
+    s.zxx += gx * wx, s.zxy += gx * wy, s.zyx += gy * wx, s.zyy += gy * wy;
     s.work += volume * ((tx + ox) * qx + (ty + oy) * qy);
   }
 }
@@ -87,7 +86,9 @@ inline void bond_pass(const FlowData& shared, const FlowControls& shared_control
     sums.bond += 0.25 * c.time_step * f[2];  // a bond is met from both ends; its traction before and after
     if constexpr (kDiffuse) {
       const double* const n = d.slope_x + 4l * i;
-      const Pack along = 0.5 * (s.slope_x * n[0] + s.slope_y * n[1]), up = 0.5 * (s.slope_x * n[1] + s.slope_y * n[2]);
+      const Pack mine = load(stress), w = sums_of(s.wx, s.wy, Pack{}, Pack{});
+      const Pack sx = s.slope_x - mine * w[0], sy = s.slope_y - mine * w[1];
+      const Pack along = 0.5 * (sx * n[0] + sy * n[1]), up = 0.5 * (sx * n[1] + sy * n[2]);
       store(d.slope_x + 4l * i, along), store(d.slope_y + 4l * i, up);
     }
   }

@@ -26,6 +26,7 @@ struct FlowControls {
   double viscosity = 0;        ///< alpha c h, m2/s
   double guard_distance = 0;   ///< b, in sides of particles
   double guard_stiffness = 0;  ///< kappa
+  double guard_reach = 0;      ///< b times the largest side: pairs farther apart do not feel it, m
   double diffusion = 0;        ///< 2 zeta h, m
   double disturbed = 0;        ///< plastic shear strain beyond which soil goes on diffusing its stress
   double smallest_eigenvalue = 0;
@@ -74,7 +75,7 @@ struct FlowData {
   double *stress, *gap, *plastic_strain, *wall_shear, *wall_limit, *traction, *dead;
   // scratch; motion is the state's, with ghosts
   double *motion, *next_motion, *next_stress, *gradient, *bond, *inverse, *flux, *slope_x, *slope_y, *pair_force,
-      *weight, *artificial;
+      *weight, *artificial, *pairs;
 };
 
 }  // namespace vbgpd

@@ -16,8 +16,7 @@ inline constexpr double kJustBelowOne = 1 - 0x1p-53;
 struct FlowStrainSums {
   Pack mxx{}, mxy{}, myy{}, total{}, axx{}, axy{}, ayx{}, ayy{};
   FlowApproach approach;
-  VBGPD_INLINE void add(Pack weight, Pack x, Pack y, Pack vx, Pack vy) {
-    const Pack wx = weight * x, wy = weight * y;
+  VBGPD_INLINE void add(Pack weight, Pack wx, Pack wy, Pack x, Pack y, Pack vx, Pack vy) {
     total += weight;
     mxx += wx * x, mxy += wx * y, myy += wy * y;
     axx += vx * wx, axy += vx * wy, ayx += vy * wx, ayy += vy * wy;
@@ -31,12 +30,17 @@ VBGPD_INLINE bool add_soil_strain(const FlowData& d, const FlowControls& c, int 
   const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
   const Pack x = other.a - own.a, y = other.b - own.b, r2 = x * x + y * y;
   const bool near = any(r2 < c.support2);
-  if (!PairLaw::kSprings && !near) return false;
+  double* const pair = d.pairs + 16l * p;
+  if (!PairLaw::kSprings && !near) {
+    for (int k = 0; k < 16; k += 4) store(pair + k, Pack{});
+    return false;
+  }
   const Pack r = root(r2), weight = pair_weight(c, r);
-  const Quads self = broadcast_quad(d.constants + 4l * i), end = load_quads(d.constants, j);
+  const Pairs end = load_pairs(d.constants, j);
+  const double* const self = d.constants + 4l * i;
   const Pack vx = other.c - own.c, vy = other.d - own.d;
-  add_viscosity(c, x, y, vx, vy, weight, 0.5 * (self.b * end.a + self.a * end.b), s.approach);
-  if constexpr (PairLaw::kGuard) add_guard(c, x, y, r, self, end, s.approach);
+  add_viscosity(c, x, y, r2, vx, vy, weight, 0.5 * (self[1] * end.a + self[0] * end.b), s.approach);
+  if constexpr (PairLaw::kGuard) add_guard(c, x, y, r, d.constants, i, j, s.approach);
   Pack joined = weight * end.a;
   if constexpr (PairLaw::kSprings) {
     const double own_stretch = c.laws[d.soil[i]].breaking_stretch;
@@ -46,7 +50,10 @@ VBGPD_INLINE bool add_soil_strain(const FlowData& d, const FlowControls& c, int 
     const Pack breaking{bears(0), bears(1), bears(2), bears(3)};
     joined = select(stretch_springs(d.traction + 8l * p, r, breaking), joined, Pack{});
   }
-  s.add(joined, x, y, vx, vy);
+  const Pack wx = joined * x, wy = joined * y;
+  store(pair, wx), store(pair + 4, wy), store(pair + 8, joined);
+  if constexpr (PairLaw::kBonds || PairLaw::kArtificialStress) store(pair + 12, 1.0 / r);
+  s.add(joined, wx, wy, x, y, vx, vy);
   return near;
 }
 
@@ -55,12 +62,12 @@ template <class PairLaw>
 VBGPD_INLINE void add_ghost_strain(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowStrainSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
   const Quads own = broadcast_quad(d.motion + 4l * i), other = load_quads(d.motion, j);
-  const Pack x = other.a - own.a, y = other.b - own.b, r = root(x * x + y * y);
+  const Pack x = other.a - own.a, y = other.b - own.b, r2 = x * x + y * y, r = root(r2);
   Pack weight = pair_weight(c, r) * load_each(d.volume, j);
   if constexpr (PairLaw::kSprings) weight = select(r < c.spring_reach, weight, Pack{});
   const Pack vx = other.c - own.c, vy = other.d - own.d;
-  add_viscosity(c, x, y, vx, vy, weight, broadcast(d.constants[4l * i + 1]), s.approach);
-  s.add(weight, x, y, vx, vy);
+  add_viscosity(c, x, y, r2, vx, vy, weight, broadcast(d.constants[4l * i + 1]), s.approach);
+  s.add(weight, weight * x, weight * y, x, y, vx, vy);
 }
 
 /// Sums of up to four particles in a row.
