@@ -25,8 +25,8 @@ double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 /// flow is jerky), and over many, where a flow so slow that a brief look cannot tell it from rest shows itself.
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
   const bool jerky = last.since_restart < std::min(3 * response_, trial.steps);
-  return last.power_ratio < 1 - rules_.drive &&
-         (flows(history, jerky ? 3 : 1, trial) || flows(history, rules_.long_look, trial));
+  const bool flow = flows(history, jerky ? 3 : 1, trial) || flows(history, rules_.long_look, trial);
+  return flow && last.power_ratio < 1 - rules_.drive;
 }
 
 /// The signals over so many response times. A flow that would balance at the very factor tried, or is hardening towards
