@@ -39,7 +39,7 @@ Status conclude(ModelObject& object, const StepReport& report, vbgpd_advance_res
   // A request is used up by the call that obeys it; one that came too late stops the next call.
   if (report.status == Status::kCancelled) object.cancel.store(false, std::memory_order_relaxed);
   Engine& engine = *object.engine;
-  const Monitors monitors = engine.simulation->monitors();
+  const Monitors monitors = engine.simulation->monitors_after(report);
   engine.events.look(*engine.simulation, monitors, report.status == Status::kDiverged);
   const vbgpd_advance_result result = result_of(*engine.simulation, report, monitors);
   fill(r, result);

@@ -15,7 +15,8 @@ void FlowSimulation::for_each_bond(F&& f) const {
       if (j <= i || j >= static_cast<std::size_t>(model_.particles)) continue;
       const double* const a = state_.motion.data() + 4 * i;
       const double* const b = state_.motion.data() + 4 * j;
-      if (std::hypot(b[0] - a[0], b[1] - a[1]) < model_.support) f(i, j, 8 * (k / 4) + k % 4);
+      const Real x = b[0] - a[0], y = b[1] - a[1];
+      if (x * x + y * y < model_.support * model_.support) f(i, j, 8 * (k / 4) + k % 4);
     }
 }
 

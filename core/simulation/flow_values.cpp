@@ -44,13 +44,15 @@ Real FlowSimulation::energy_residual() const {
 Monitors FlowSimulation::monitors() const {
   Monitors out;
   out.unbalanced_force_ratio = model_.force_scale > 0 ? last_.unbalanced / model_.force_scale : 0;
+  Real displacement2 = 0, velocity2 = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_.particles); ++i) {
     const auto id = static_cast<std::size_t>(state_.particle[i]);
     const double* const m = state_.motion.data() + 4 * i;
-    out.max_displacement =
-        std::max(out.max_displacement, std::hypot(m[0] - model_.reference_x[id], m[1] - model_.reference_y[id]));
-    out.max_velocity = std::max(out.max_velocity, std::hypot(m[2], m[3]));
+    const Real ux = m[0] - model_.reference_x[id], uy = m[1] - model_.reference_y[id];
+    displacement2 = std::max(displacement2, ux * ux + uy * uy),
+    velocity2 = std::max(velocity2, m[2] * m[2] + m[3] * m[3]);
   }
+  out.max_displacement = std::sqrt(displacement2), out.max_velocity = std::sqrt(velocity2);
   out.kinetic_energy = kinetic_energy();
   out.plastic_bonds = static_cast<std::int64_t>(plastic_bond_count());
   return out;

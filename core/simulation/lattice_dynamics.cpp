@@ -41,18 +41,15 @@ StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
     if (!(sums.velocity2 < runaway)) {
       state_ = kept, ledger_ = kept_ledger;
       steps_ -= report.steps - kept_at, time_ = kept_time;
-      report.steps = kept_at;
-      report.status = Status::kDiverged;
-      return report;
+      return {kept_at, Status::kDiverged, {}};
     }
     ledger_.external += sums.external_work, ledger_.damping -= sums.damping_work, ledger_.plastic += sums.plastic_work;
     ++steps_, ++report.steps;
     time_ = length.last ? goal.time : time_ + c.time_step;
     last_time_step_ = c.time_step;
+    report.unbalanced_force_ratio = unbalanced_force_ratio(sums);
     if (!passes_audit()) {
-      report.steps = std::max<std::int64_t>(0, steps_ - steps_before);
-      report.status = Status::kDiverged;
-      return report;
+      return {std::max<std::int64_t>(0, steps_ - steps_before), Status::kDiverged, {}};
     }
   }
   return report;

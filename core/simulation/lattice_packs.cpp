@@ -292,21 +292,23 @@ Mat2 guarded_inverse(const Mat2& moment) {
   return inverse;
 }
 
-/// omega_ij of every pair, where no two are alike.
+/// omega_ij of every pair, where no two are alike: both ends find it where the first one stands (Model::weight_index).
 void build_weights(const Occupancy& who, const AnyKernel& kernel, Real h, Model& m) {
-  const auto width = static_cast<std::size_t>(m.width);
-  const auto weigh = [&](std::int32_t i, std::int32_t j, double* weights) {
-    for (int l = 0; l < m.width; ++l)
-      weights[l] = who.joined(i + l, j + l) ? value(kernel, who.distance(i + l, j + l), h) : 0;
-  };
-  m.neighbour_weight.allocate(m.neighbours.size() * width, 15, m.heap);
+  constexpr std::int64_t kStagger = 40, kLines = 64;  // rows begin five cache lines apart, like arrays
+  m.weight_row = (m.storage - kStagger + kLines - 1) / kLines * kLines + kStagger;
+  m.pair_weight.allocate(static_cast<std::size_t>(m.forward_offsets * m.weight_row), 15, m.heap);
   for (const Block& block : m.blocks)
     for (auto k = static_cast<std::size_t>(block.neighbours_begin); k < static_cast<std::size_t>(block.neighbours_end);
-         ++k)
-      weigh(block.first, m.neighbours[k].j, m.neighbour_weight.data() + k * width);
-  if (m.features.bond == BondLaw::kNone) return;
-  m.bond_weight.allocate(static_cast<std::size_t>(m.slots) * width, 16, m.heap);
-  for (const BondPack& p : m.packs) weigh(p.i, p.j, m.bond_weight.data() + static_cast<std::size_t>(p.slot) * width);
+         ++k) {
+      const NeighbourPack& pack = m.neighbours[k];
+      if (pack.offset >= m.forward_offsets) continue;
+      for (int l = 0; l < m.width; ++l) {
+        const std::int32_t i = block.first + l, j = pack.j + l;
+        if (!who.joined(i, j)) continue;
+        m.pair_weight[m.weight_index(pack.offset, static_cast<std::size_t>(i), static_cast<std::size_t>(j))] =
+            value(kernel, who.distance(i, j), h);
+      }
+    }
 }
 
 /// omega0_i, M_i (VB1) and the stiffness-proportional mass sum_j B_ij/2 (K + 4G/3).

@@ -14,6 +14,12 @@ namespace {
 /// Fraction of the stable time step that is used: what the measurement may still miss of omega_max comes off it.
 constexpr Real kStepMargin = 0.96;
 
+Real largest_square(const Array& x, const Array& y) {
+  Real largest = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, x[i] * x[i] + y[i] * y[i]);
+  return largest;
+}
+
 std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.external_y.bytes() + o.pore_pressure.bytes(); }
 
 }  // namespace
@@ -79,7 +85,7 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.force_x = m.force_x.data(), d.force_y = m.force_y.data(), d.free_x = m.free_x.data(), d.free_y = m.free_y.data();
   d.extra_cohesion = m.extra_cohesion.data();
   d.place_x = m.place_x.data(), d.place_y = m.place_y.data();
-  d.neighbour_weight = m.neighbour_weight.data(), d.bond_weight = m.bond_weight.data();
+  d.pair_weight = m.pair_weight.data(), d.weight_row = m.weight_row, d.forward_offsets = m.forward_offsets;
   d.least_r2 = 1e-12 * section_.lattice.spacing.prod();
   d.uses_algorithm[0] = m.features.has_algorithm[0], d.uses_algorithm[1] = m.features.has_algorithm[1];
   d.ux = s.displacement_x.data(), d.uy = s.displacement_y.data(), d.vx = s.velocity_x.data(),
@@ -144,13 +150,21 @@ Real LatticeSimulation::half_step_work() const {
   return sums.internal_work / 2 + sums.plastic_work;
 }
 
-Monitors LatticeSimulation::monitors() const {
-  const Sums sums = evaluate();
+Real LatticeSimulation::unbalanced_force_ratio(const Sums& sums) const {
+  return model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;
+}
+
+Monitors LatticeSimulation::monitors() const { return monitors_of(unbalanced_force_ratio(evaluate())); }
+
+Monitors LatticeSimulation::monitors_after(const StepReport& steps) const {
+  return steps.unbalanced_force_ratio ? monitors_of(*steps.unbalanced_force_ratio) : monitors();
+}
+
+Monitors LatticeSimulation::monitors_of(Real unbalanced_force_ratio) const {
   Monitors out;
-  out.unbalanced_force_ratio = model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;
-  out.max_displacement = std::sqrt(sums.displacement2);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.storage); ++i)
-    out.max_velocity = std::max(out.max_velocity, std::hypot(state_.velocity_x[i], state_.velocity_y[i]));
+  out.unbalanced_force_ratio = unbalanced_force_ratio;
+  out.max_displacement = std::sqrt(largest_square(state_.displacement_x, state_.displacement_y));
+  out.max_velocity = std::sqrt(largest_square(state_.velocity_x, state_.velocity_y));
   out.kinetic_energy = kinetic_energy();
   out.plastic_bonds = vbgpd::plastic_bonds(model_, state_);
   return out;
@@ -199,7 +213,7 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
     }
   }
   r.since_restart = since_restart_;
-  r.unbalanced_force_ratio = model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;
+  r.unbalanced_force_ratio = unbalanced_force_ratio(sums);
   r.power_ratio = sums.external_power != 0 ? 1 - sums.power / sums.external_power : 0;
   r.velocity = std::sqrt(sums.velocity2);
   r.max_displacement = std::sqrt(sums.displacement2);

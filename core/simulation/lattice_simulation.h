@@ -21,6 +21,7 @@ class LatticeSimulation final : public Simulation {
   std::int64_t particle_count() const override { return model_.particles; }
   std::int64_t bond_count() const override { return model_.bonds; }
   Monitors monitors() const override;
+  Monitors monitors_after(const StepReport& steps) const override;
   RelaxReport relax(std::int64_t steps, const RelaxOptions& options) override;
   void halt() override;
   std::shared_ptr<SavedState> save() const override;
@@ -100,8 +101,10 @@ class LatticeSimulation final : public Simulation {
   void take_constants(Real factor, std::vector<LawConstants> constants);
   static void fit_dilation_cap(const Model& model, const std::vector<LawConstants>& constants, Array& cap);
   Controls evaluation_controls() const;
-  /// Brings scratch up to date with the state without moving anything; returns the unbalanced force ratio.
+  /// Brings scratch up to date with the state without moving anything.
   Sums evaluate() const;
+  Real unbalanced_force_ratio(const Sums& sums) const;
+  Monitors monitors_of(Real unbalanced_force_ratio) const;
   Real kinetic_energy() const;
   /// Kinetic and elastic energy at the time of the displacements.
   Real stored_energy() const;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -68,6 +69,7 @@ struct CompileOptions {
 struct StepReport {
   std::int64_t steps = 0;
   Status status = Status::kOk;  ///< kOk, kCancelled or kDiverged (then the state is that of the last good step)
+  std::optional<Real> unbalanced_force_ratio{};  ///< of the forces the last step moved with; none without a good step
 };
 
 /// Asked between two steps of a long run: kOk = go on; kCancelled and kLimitReached end it there.
@@ -142,6 +144,8 @@ class Simulation {
   /// Dynamic steps of equal length that end exactly at `time`, however often the watch interrupts them.
   StepReport advance_to(double time, const StepWatch& watch);
   virtual Monitors monitors() const = 0;
+  /// The same right after dynamic steps, with the forces of the last one: no forces are worked out again.
+  virtual Monitors monitors_after(const StepReport& /*steps*/) const { return monitors(); }
 
   /// Quasi-static steps; velocities are pseudo-velocities meanwhile. `halt` drops them and the momentum.
   virtual RelaxReport relax(std::int64_t steps, const RelaxOptions& options) = 0;

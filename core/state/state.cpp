@@ -22,26 +22,22 @@ void Model::take_from(const Heap& from) {
 std::size_t Model::bytes() const {
   std::size_t sum = bytes_of(offsets) + bytes_of(blocks) + bytes_of(neighbours) + bytes_of(packs) + bytes_of(chunks) +
                     bytes_of(guided) + bytes_of(material) + bytes_of(seed_of) + bytes_of(storage_of) + bytes_of(id_of);
-  for (const Array* a :
-       {&volume, &share, &moment_xx, &moment_xy, &moment_yy, &sum_x, &sum_y, &force_x, &force_y, &free_x, &free_y,
-        &mass, &scaled_mass, &extra_cohesion, &place_x, &place_y, &neighbour_weight, &bond_weight})
+  for (const Array* a : {&volume, &share, &moment_xx, &moment_xy, &moment_yy, &sum_x, &sum_y, &force_x, &force_y,
+                         &free_x, &free_y, &mass, &scaled_mass, &extra_cohesion, &place_x, &place_y, &pair_weight})
     sum += a->bytes();
   return sum;
 }
 
-Offset Model::offset(const BondPack& pack, int l) const {
-  if (!off_lattice()) return offsets[pack.offset];
-  const auto i = static_cast<std::size_t>(pack.i + l), j = static_cast<std::size_t>(pack.j + l);
-  const auto record = static_cast<std::size_t>(pack.slot * width + l);
-  return offset_of(place_x[j] - place_x[i], place_y[j] - place_y[i], bond_weight.present() ? bond_weight[record] : 0);
+Offset Model::offset(std::uint8_t o, std::int32_t first, std::int32_t second) const {
+  if (!off_lattice()) return offsets[o];
+  const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
+  return offset_of(place_x[j] - place_x[i], place_y[j] - place_y[i], pair_weight[weight_index(o, i, j)]);
 }
 
+Offset Model::offset(const BondPack& pack, int l) const { return offset(pack.offset, pack.i + l, pack.j + l); }
+
 Offset Model::offset(std::size_t k, std::int32_t first, int l) const {
-  const NeighbourPack& pack = neighbours[k];
-  if (!off_lattice()) return offsets[pack.offset];
-  const auto i = static_cast<std::size_t>(first + l), j = static_cast<std::size_t>(pack.j + l);
-  const Real weight = neighbour_weight[k * static_cast<std::size_t>(width) + static_cast<std::size_t>(l)];
-  return offset_of(place_x[j] - place_x[i], place_y[j] - place_y[i], weight);
+  return offset(neighbours[k].offset, first + l, neighbours[k].j + l);
 }
 
 void State::allocate(const Model& m) {

@@ -30,11 +30,12 @@ struct OffLattice {
   VBGPD_INLINE static Bond bond(const StepData& d, const BondPack& p) {
     const Pack x = load(d.place_x + p.j) - load(d.place_x + p.i), y = load(d.place_y + p.j) - load(d.place_y + p.i);
     const Pack inverse_r2 = 1.0 / larger(x * x + y * y, broadcast(d.least_r2));
-    return {x, y, load(d.bond_weight + static_cast<long>(kWidth) * p.slot), inverse_r2, x * inverse_r2, y * inverse_r2};
+    return {x, y, load(d.pair_weight + p.offset * d.weight_row + p.i), inverse_r2, x * inverse_r2, y * inverse_r2};
   }
   VBGPD_INLINE static void operator_of(const StepData& d, int n, int i, Pack& gx, Pack& gy) {
-    const int j = d.neighbours[n].j;
-    const Pack weight = load(d.neighbour_weight + static_cast<long>(kWidth) * n);
+    const int j = d.neighbours[n].j, o = d.neighbours[n].offset;
+    const bool back = o >= d.forward_offsets;  // then the pair is listed with its other end
+    const Pack weight = load(d.pair_weight + (back ? o - d.forward_offsets : o) * d.weight_row + (back ? j : i));
     gx = weight * (load(d.place_x + j) - load(d.place_x + i)),
     gy = weight * (load(d.place_y + j) - load(d.place_y + i));
   }

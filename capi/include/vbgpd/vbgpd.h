@@ -271,7 +271,7 @@ typedef struct vbgpd_advance_result {
   int64_t steps;                /* done in this call */
   double time, time_step;       /* s */
   double kinetic_energy;        /* J per metre run */
-  double unbalanced_force_ratio, max_displacement, max_velocity;
+  double unbalanced_force_ratio, max_displacement, max_velocity; /* the first by the forces of the last step */
   int64_t plastic_bonds;
 } vbgpd_advance_result;
 /* Explicit dynamic steps with true masses at the stable time step. r may be NULL.
