@@ -206,13 +206,15 @@ void build_blocks(const Columns& columns, const std::vector<LatticeOffset>& offs
       Block block;
       block.first = columns.index(column, cell);
       if (!who.any(block.first)) continue;
-      block.neighbours_begin = static_cast<std::int32_t>(m.neighbours.size());
+      block.neighbours_begin = block.backward_begin = static_cast<std::int32_t>(m.neighbours.size());
+      block.forward_before = m.forward_packs;
       for (std::size_t o = 0; o < offsets.size(); ++o) {
         const std::int32_t j = columns.index(column + offsets[o].major, cell + offsets[o].minor);
         if (j < 0 || !columns.touches(column + offsets[o].major, cell + offsets[o].minor)) continue;
         const Lanes lanes = lanes_of(who, m.width, block.first, j);
         if (lanes.bonds == 0) continue;
         m.neighbours.push_back({j, static_cast<std::uint8_t>(o), lanes.hidden ? lanes.bonds : std::uint8_t{0xff}});
+        if (o < static_cast<std::size_t>(m.forward_offsets)) ++block.backward_begin, ++m.forward_packs;
       }
       block.neighbours_end = static_cast<std::int32_t>(m.neighbours.size());
       m.blocks.push_back(block);
@@ -292,21 +294,18 @@ Mat2 guarded_inverse(const Mat2& moment) {
   return inverse;
 }
 
-/// omega_ij of every pair, where no two are alike: both ends find it where the first one stands (Model::weight_index).
+/// omega_ij of every pair, where no two are alike. The records of bonds are those of the forward packs.
 void build_weights(const Occupancy& who, const AnyKernel& kernel, Real h, Model& m) {
-  constexpr std::int64_t kStagger = 40, kLines = 64;  // rows begin five cache lines apart, like arrays
-  m.weight_row = (m.storage - kStagger + kLines - 1) / kLines * kLines + kStagger;
-  m.pair_weight.allocate(static_cast<std::size_t>(m.forward_offsets * m.weight_row), 15, m.heap);
+  const auto width = static_cast<std::size_t>(m.width);
+  m.pair_weight.allocate(m.neighbours.size() * width, 15, m.heap);
   for (const Block& block : m.blocks)
-    for (auto k = static_cast<std::size_t>(block.neighbours_begin); k < static_cast<std::size_t>(block.neighbours_end);
-         ++k) {
-      const NeighbourPack& pack = m.neighbours[k];
-      if (pack.offset >= m.forward_offsets) continue;
+    for (std::int32_t k = block.neighbours_begin; k < block.neighbours_end; ++k) {
+      double* const weights =
+          m.pair_weight.data() + width * static_cast<std::size_t>(weight_record(block, k, m.forward_packs));
+      const std::int32_t second = m.neighbours[static_cast<std::size_t>(k)].j;
       for (int l = 0; l < m.width; ++l) {
-        const std::int32_t i = block.first + l, j = pack.j + l;
-        if (!who.joined(i, j)) continue;
-        m.pair_weight[m.weight_index(pack.offset, static_cast<std::size_t>(i), static_cast<std::size_t>(j))] =
-            value(kernel, who.distance(i, j), h);
+        const std::int32_t i = block.first + l, j = second + l;
+        weights[l] = who.joined(i, j) ? value(kernel, who.distance(i, j), h) : 0;
       }
     }
 }
@@ -327,8 +326,7 @@ void build_operators(Model& m) {
           const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
           const std::int32_t j = p.j + l;
           if (((p.lanes >> l) & 1) == 0 || m.seed_of[static_cast<std::size_t>(j)] < 0) continue;
-          f(static_cast<std::size_t>(i), static_cast<std::size_t>(j),
-            m.offset(static_cast<std::size_t>(k), block.first, l));
+          f(static_cast<std::size_t>(i), static_cast<std::size_t>(j), m.offset(k, block, l));
         }
       }
   };
@@ -365,9 +363,9 @@ void build_packs(const Section& section, Real jitter, const AnyKernel& kernel, R
       add_packs(who, block.first, block.first, 0, m.packs, m);
       continue;
     }
-    for (std::int32_t k = block.neighbours_begin; k < block.neighbours_end; ++k) {
+    for (std::int32_t k = block.neighbours_begin; k < block.backward_begin; ++k) {
       const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
-      if (p.offset < m.forward_offsets) add_packs(who, block.first, p.j, p.offset, m.packs, m);
+      add_packs(who, block.first, p.j, p.offset, m.packs, m);
     }
   }
   build_chunks(m);

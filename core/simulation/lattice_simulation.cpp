@@ -85,7 +85,7 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.force_x = m.force_x.data(), d.force_y = m.force_y.data(), d.free_x = m.free_x.data(), d.free_y = m.free_y.data();
   d.extra_cohesion = m.extra_cohesion.data();
   d.place_x = m.place_x.data(), d.place_y = m.place_y.data();
-  d.pair_weight = m.pair_weight.data(), d.weight_row = m.weight_row, d.forward_offsets = m.forward_offsets;
+  d.pair_weight = m.pair_weight.data(), d.forward_packs = m.forward_packs;
   d.least_r2 = 1e-12 * section_.lattice.spacing.prod();
   d.uses_algorithm[0] = m.features.has_algorithm[0], d.uses_algorithm[1] = m.features.has_algorithm[1];
   d.ux = s.displacement_x.data(), d.uy = s.displacement_y.data(), d.vx = s.velocity_x.data(),

@@ -51,7 +51,7 @@ void for_each_flux_force(const Model& m, const NodalFlux& z, F&& f) {
         const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
         const auto j = static_cast<std::size_t>(p.j + l);
         if (((p.lanes >> l) & 1) == 0 || m.seed_of[j] < 0) continue;
-        const Offset o = m.offset(static_cast<std::size_t>(k), block.first, l);
+        const Offset o = m.offset(k, block, l);
         const Real weight = o.weight * m.volume[i] * m.volume[j];
         f(i, j,
           Vec2(weight * ((z.xx[i] + z.xx[j]) * o.xi_x + (z.xy[i] + z.xy[j]) * o.xi_y),

@@ -47,7 +47,7 @@ void find_gradients(const Model& m, const State& s, Scratch& out) {
         const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
         const auto j = static_cast<std::size_t>(p.j + l);
         if (((p.lanes >> l) & 1) == 0 || m.seed_of[j] < 0) continue;
-        const Offset o = m.offset(static_cast<std::size_t>(k), block.first, l);
+        const Offset o = m.offset(k, block, l);
         const Vec2 du(s.displacement_x[j] - s.displacement_x[i], s.displacement_y[j] - s.displacement_y[i]);
         sum += m.volume[j] * du * Vec2(o.g_x, o.g_y).transpose();
       }

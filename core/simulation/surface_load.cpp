@@ -16,7 +16,7 @@ std::vector<Real> normal_areas(const Model& m) {
         const NeighbourPack& p = m.neighbours[static_cast<std::size_t>(k)];
         const auto j = static_cast<std::size_t>(p.j + l);
         if (((p.lanes >> l) & 1) == 0 || m.seed_of[j] < 0) continue;
-        const Offset o = m.offset(static_cast<std::size_t>(k), block.first, l);
+        const Offset o = m.offset(k, block, l);
         const Real sum_xy = m.moment_xy[i] + m.moment_xy[j], sum_yy = m.moment_yy[i] + m.moment_yy[j];
         area[i] -= o.weight * m.volume[i] * m.volume[j] * (sum_xy * o.xi_x + sum_yy * o.xi_y);
       }

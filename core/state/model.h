@@ -31,6 +31,7 @@ struct Model {
   std::int64_t storage = 0;     ///< length of particle arrays, padding included
   std::vector<Offset> offsets;  ///< forward ones first, then the opposites
   int forward_offsets = 0;
+  std::int32_t forward_packs = 0;  ///< neighbour packs at forward offsets
   // lists
   List<Block> blocks;
   List<NeighbourPack> neighbours;
@@ -51,8 +52,7 @@ struct Model {
   Array extra_cohesion;  ///< present with a cohesion gradient: Pa above the material's cohesion
   // present where particles are off the lattice (scene's jitter); then offsets tell who may be near, no more
   Array place_x, place_y;       ///< of the particles, from the lattice's origin, m
-  Array pair_weight;            ///< omega_ij by forward offset and first end [forward_offsets x weight_row], 0: no bond
-  std::int64_t weight_row = 0;  ///< from one offset to the next
+  Array pair_weight;            ///< omega_ij [neighbour packs x width] by weight_record, 0 where a lane is no bond
   List<std::int32_t> material;  ///< per storage index, -1 = padding
   // bookkeeping between seeds and storage
   List<std::int32_t> seed_of;     ///< storage -> seed, -1 = padding
@@ -68,15 +68,9 @@ struct Model {
        stiffness = 0;  ///< H, gamma H or q, sum |f_ext|, harmonic mean of Young's modulus over the soil
   std::int64_t particles = 0, soil_particles = 0, bonds = 0;
   bool off_lattice() const { return place_x.present(); }
-  /// Where omega_ij of the pair of storage places i and j stands, j at offset o from i.
-  std::size_t weight_index(std::uint8_t o, std::size_t i, std::size_t j) const {
-    const bool back = o >= forward_offsets;
-    return static_cast<std::size_t>((back ? o - forward_offsets : o) * weight_row) + (back ? j : i);
-  }
-  /// Geometry of lane l of a pack of bonds, or of neighbour pack k of a block that begins with particle i.
+  /// Geometry of lane l of a pack of bonds, or of neighbour pack k of a block.
   Offset offset(const BondPack& pack, int l) const;
-  Offset offset(std::size_t k, std::int32_t i, int l) const;
-  Offset offset(std::uint8_t o, std::int32_t i, std::int32_t j) const;
+  Offset offset(std::int32_t k, const Block& block, int l) const;
   /// Empty lists of the heap.
   void take_from(const Heap& heap);
   std::size_t bytes() const;

@@ -41,8 +41,18 @@ struct NeighbourPack {
 /// A run of `width` particles.
 struct Block {
   std::int32_t first = 0;                                 ///< first particle
-  std::int32_t neighbours_begin = 0, neighbours_end = 0;  ///< range of neighbour packs
+  std::int32_t neighbours_begin = 0, neighbours_end = 0;  ///< range of neighbour packs, forward ones first
+  std::int32_t backward_begin = 0;                        ///< where those at opposite offsets begin
+  std::int32_t forward_before = 0;                        ///< forward packs of all blocks before
 };
+
+/// Where off the lattice the weights of a neighbour pack stand: those of forward packs first, in the order of their
+/// bonds' records; then those of the opposites.
+inline std::int32_t weight_record(const Block& block, std::int32_t pack, std::int32_t forward_packs) {
+  if (pack < block.backward_begin) return pack - block.neighbours_begin + block.forward_before;
+  const std::int32_t forward_until = block.forward_before + block.backward_begin - block.neighbours_begin;
+  return forward_packs + pack - forward_until;
+}
 
 /// A piece of work that one thread does at a time; packs of chunk c only reach particles of chunks c and c + 1.
 struct Chunk {

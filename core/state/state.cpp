@@ -28,16 +28,26 @@ std::size_t Model::bytes() const {
   return sum;
 }
 
-Offset Model::offset(std::uint8_t o, std::int32_t first, std::int32_t second) const {
-  if (!off_lattice()) return offsets[o];
-  const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
-  return offset_of(place_x[j] - place_x[i], place_y[j] - place_y[i], pair_weight[weight_index(o, i, j)]);
+namespace {
+
+Offset off_lattice_offset(const Model& m, std::int32_t first, std::int32_t second, std::int32_t record, int l) {
+  const auto i = static_cast<std::size_t>(first + l), j = static_cast<std::size_t>(second + l);
+  const Real weight = m.pair_weight[static_cast<std::size_t>(record * m.width + l)];
+  return offset_of(m.place_x[j] - m.place_x[i], m.place_y[j] - m.place_y[i], weight);
 }
 
-Offset Model::offset(const BondPack& pack, int l) const { return offset(pack.offset, pack.i + l, pack.j + l); }
+}  // namespace
 
-Offset Model::offset(std::size_t k, std::int32_t first, int l) const {
-  return offset(neighbours[k].offset, first + l, neighbours[k].j + l);
+Offset Model::offset(const BondPack& pack, int l) const {
+  if (!off_lattice()) return offsets[pack.offset];
+  if (pack.i == pack.j) return {};  // particles that yield themselves
+  return off_lattice_offset(*this, pack.i, pack.j, pack.slot, l);
+}
+
+Offset Model::offset(std::int32_t k, const Block& block, int l) const {
+  const NeighbourPack& pack = neighbours[static_cast<std::size_t>(k)];
+  if (!off_lattice()) return offsets[pack.offset];
+  return off_lattice_offset(*this, block.first, pack.j, weight_record(block, k, forward_packs), l);
 }
 
 void State::allocate(const Model& m) {

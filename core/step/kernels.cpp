@@ -4,22 +4,24 @@ namespace vbgpd {
 
 extern const StepTable kStepTable_portable;
 extern const int kStepWidth_portable;
-#if defined(VBGPD_X86)
 extern const StepTable kStepTable_x86_64_v2, kStepTable_x86_64_v3, kStepTable_x86_64_v4;
 extern const int kStepWidth_x86_64_v2, kStepWidth_x86_64_v3, kStepWidth_x86_64_v4;
-#endif
 
 std::span<const Kernels> all_kernels() {
   static const Kernels list[] = {
-#if defined(VBGPD_X86)
+#if defined(VBGPD_HAS_x86_64_v4)
     {"x86-64-v4", kStepWidth_x86_64_v4,
      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
          __builtin_cpu_supports("avx512bw"),
      &kStepTable_x86_64_v4},
+#endif
+#if defined(VBGPD_HAS_x86_64_v3)
     {"x86-64-v3", kStepWidth_x86_64_v3,
      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"),
      &kStepTable_x86_64_v3},
-    {"x86-64-v2", kStepWidth_x86_64_v2, __builtin_cpu_supports("sse4.2"), &kStepTable_x86_64_v2},
+#endif
+#if defined(VBGPD_HAS_x86_64_v2)
+    {"x86-64-v2", kStepWidth_x86_64_v2, static_cast<bool>(__builtin_cpu_supports("sse4.2")), &kStepTable_x86_64_v2},
 #endif
     {"portable", kStepWidth_portable, true, &kStepTable_portable}
   };

@@ -20,7 +20,7 @@ VBGPD_INLINE TensorSum over_neighbours(const StepData& d, const Block& block, co
   TensorSum even, odd;
   const auto add = [&](TensorSum & sum, int n) __attribute__((always_inline)) {
     Pack gx, gy;
-    Sites::operator_of(d, n, block.first, gx, gy);
+    Sites::operator_of(d, n, block, gx, gy);
     term(sum, d.neighbours[n].j, gx, gy);
   };
   int n = block.neighbours_begin;

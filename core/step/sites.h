@@ -14,7 +14,7 @@ struct OnLattice {
   VBGPD_INLINE static Bond bond(const StepData& d, const BondPack& pack) { return d.offsets + pack.offset; }
 
   /// omega_ij xi of neighbour pack n of the block that begins with particle i; 0 where a lane is no neighbour.
-  VBGPD_INLINE static void operator_of(const StepData& d, int n, int, Pack& gx, Pack& gy) {
+  VBGPD_INLINE static void operator_of(const StepData& d, int n, const Block&, Pack& gx, Pack& gy) {
     const NeighbourPack& neighbour = d.neighbours[n];
     const Offset& o = d.offsets[neighbour.offset];
     gx = visible(broadcast(o.g_x), neighbour.lanes), gy = visible(broadcast(o.g_y), neighbour.lanes);
@@ -30,12 +30,11 @@ struct OffLattice {
   VBGPD_INLINE static Bond bond(const StepData& d, const BondPack& p) {
     const Pack x = load(d.place_x + p.j) - load(d.place_x + p.i), y = load(d.place_y + p.j) - load(d.place_y + p.i);
     const Pack inverse_r2 = 1.0 / larger(x * x + y * y, broadcast(d.least_r2));
-    return {x, y, load(d.pair_weight + p.offset * d.weight_row + p.i), inverse_r2, x * inverse_r2, y * inverse_r2};
+    return {x, y, load(d.pair_weight + static_cast<long>(kWidth) * p.slot), inverse_r2, x * inverse_r2, y * inverse_r2};
   }
-  VBGPD_INLINE static void operator_of(const StepData& d, int n, int i, Pack& gx, Pack& gy) {
-    const int j = d.neighbours[n].j, o = d.neighbours[n].offset;
-    const bool back = o >= d.forward_offsets;  // then the pair is listed with its other end
-    const Pack weight = load(d.pair_weight + (back ? o - d.forward_offsets : o) * d.weight_row + (back ? j : i));
+  VBGPD_INLINE static void operator_of(const StepData& d, int n, const Block& block, Pack& gx, Pack& gy) {
+    const int i = block.first, j = d.neighbours[n].j;
+    const Pack weight = load(d.pair_weight + static_cast<long>(kWidth) * weight_record(block, n, d.forward_packs));
     gx = weight * (load(d.place_x + j) - load(d.place_x + i)),
     gy = weight * (load(d.place_y + j) - load(d.place_y + i));
   }

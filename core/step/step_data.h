@@ -43,9 +43,8 @@ struct StepData {
   int guided_count;
   const double *volume, *share, *moment_xx, *moment_xy, *moment_yy, *force_x, *force_y, *free_x, *free_y, *sum_x,
       *sum_y, *extra_cohesion;
-  const double *place_x, *place_y, *pair_weight;  ///< off the lattice only; weights by forward offset and first end
-  std::int64_t weight_row;                        ///< from the weights of one offset to those of the next
-  int forward_offsets;
+  const double *place_x, *place_y, *pair_weight;  ///< off the lattice only; weights by weight_record
+  std::int32_t forward_packs;
   double least_r2;  ///< m2, nearer pairs are no bonds but padding
   bool uses_algorithm[2];
   // state
