@@ -25,15 +25,23 @@ double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 /// flow is jerky), and over many, where a flow so slow that a brief look cannot tell it from rest shows itself.
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
   const bool jerky = last.since_restart < std::min(3 * response_, trial.steps);
-  const bool flow = flows(history, jerky ? 3 : 1, trial) || flows(history, rules_.long_look, trial);
-  return flow && last.power_ratio < 1 - rules_.drive;
+  const int times = jerky ? 3 : 1, many = rules_.long_look;
+  std::optional<Flow> flow = look(history, {times, times * rules_.growth, rules_.catching_up});
+  if (!flow || !flow->fails) {
+    const auto slow = look(history, {many, rules_.growth, std::max(rules_.catching_up, 2.0 * many)});
+    if (slow && slow->fails) flow = slow;
+  }
+  if (!flow) return false;
+  trial.unbalanced_force_slope = flow->slope, trial.displacement_growth = flow->growth;
+  trial.unsteadiness = trial.strength_reduction_factor * flow->unsteadiness;
+  return flow->fails && last.power_ratio < 1 - rules_.drive;
 }
 
-/// The signals over so many response times. A flow that would balance at the very factor tried, or is hardening towards
+/// None before there is so much to look at. A flow that would balance at the very factor tried, or is hardening towards
 /// that, is creep on the way to rest, not failure.
-bool TrialRun::flows(const std::vector<Window>& history, int times, Trial& trial) const {
-  const auto span = static_cast<std::size_t>(2 * times * std::max<std::int64_t>(2, response_ / (2 * kWindow)));
-  if (history.size() <= span) return false;
+std::optional<TrialRun::Flow> TrialRun::look(const std::vector<Window>& history, const Look& look) const {
+  const auto span = static_cast<std::size_t>(2 * look.times * std::max<std::int64_t>(2, response_ / (2 * kWindow)));
+  if (history.size() <= span) return std::nullopt;
   const Window &now = history.back(), &half = history[history.size() - 1 - span / 2],
                &then = history[history.size() - 1 - span];
   // means of the earlier and of the later half: a flow trembles
@@ -43,28 +51,24 @@ bool TrialRun::flows(const std::vector<Window>& history, int times, Trial& trial
     return sum / static_cast<double>(from - to);
   };
   const double earlier = mean(span, span / 2, &Window::ratio), later = mean(span / 2, 0, &Window::ratio);
-  const double slope = earlier > 0 && later > 0 ? 2 * std::log(later / earlier) : 0;
   const double power = mean(span / 2, 0, &Window::power_ratio),
-               hardening = 2 * (power - mean(span, span / 2, &Window::power_ratio)) / times;
+               hardening = 2 * (power - mean(span, span / 2, &Window::power_ratio)) / look.times;
   // F_e of a jerky flow strays: RMS about the line through its two means
   double squares = 0;
   for (std::size_t k = 0; k < span; ++k) {
     const double line =
-        power + (hardening * times / 2) * (0.5 - 2 * static_cast<double>(k) / static_cast<double>(span));
+        power + (hardening * look.times / 2) * (0.5 - 2 * static_cast<double>(k) / static_cast<double>(span));
     squares += std::pow(history[history.size() - 1 - k].power_ratio - line, 2);
   }
-  const double growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
-  const bool brief = times < rules_.long_look;
-  const bool plateau = slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
-  const bool grows = growth > (brief ? times : 1) * rules_.growth &&
-                     now.displacement - half.displacement >= half.displacement - then.displacement;
-  const bool driven = power + std::max(rules_.catching_up, brief ? 0.0 : 2.0 * times) * hardening < 1;
-  const bool fails = plateau && grows && driven;
-  if (brief || fails) {
-    trial.unbalanced_force_slope = slope, trial.displacement_growth = growth;
-    trial.unsteadiness = trial.strength_reduction_factor * std::sqrt(squares / static_cast<double>(span));
-  }
-  return fails;
+  Flow flow;
+  flow.slope = earlier > 0 && later > 0 ? 2 * std::log(later / earlier) : 0;
+  flow.growth = elastic_ > 0 ? (now.displacement - then.displacement) / elastic_ : 0;
+  flow.unsteadiness = std::sqrt(squares / static_cast<double>(span));
+  const bool plateau = flow.slope > rules_.plateau_slope && now.ratio > rules_.plateau_level * rules_.equilibrium;
+  const bool grows =
+      flow.growth > look.growth && now.displacement - half.displacement >= half.displacement - then.displacement;
+  flow.fails = plateau && grows && power + look.catching_up * hardening < 1;
+  return flow;
 }
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {

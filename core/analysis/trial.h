@@ -1,6 +1,9 @@
 // One strength reduction factor: does the slope stand, does it fail, or can it not be told?
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "analysis/job.h"
 #include "analysis/mechanism.h"
 #include "analysis/slices.h"
@@ -37,8 +40,20 @@ class TrialRun {
     std::int64_t steps;
     double ratio, displacement, power_ratio;
   };
+  /// Over how many response times a flow is looked at, what it has to grow by meanwhile, and how many response times it
+  /// has to catch up with the factor tried.
+  struct Look {
+    int times;
+    double growth, catching_up;
+  };
+  /// What a look shows: change of ln R, growth of the displacement over its elastic value, RMS by which the power ratio
+  /// strays, and whether that is failure.
+  struct Flow {
+    double slope = 0, growth = 0, unsteadiness = 0;
+    bool fails = false;
+  };
   bool failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const;
-  bool flows(const std::vector<Window>& history, int times, Trial& trial) const;
+  std::optional<Flow> look(const std::vector<Window>& history, const Look& look) const;
   Simulation& simulation_;
   TrialRules rules_;
   std::int64_t response_;

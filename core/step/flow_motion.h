@@ -61,7 +61,7 @@ VBGPD_INLINE void add_soil(const FlowData& d, const FlowControls& c, int i, std:
 template <class PairLaw>
 VBGPD_INLINE void add_ghosts(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowForceSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
-  const Pairs other = load_pairs(d.motion, j);
+  const FirstTwo other = load_first_two(d.motion, j);
   const Quads mine = broadcast_quad(d.flux + 4l * i), its = load_quads(d.flux, j);
   const Pack x = other.a - d.motion[4l * i], y = other.b - d.motion[4l * i + 1], r = root(x * x + y * y);
   Pack weight = pair_weight(c, r) * load_each(d.volume, j);

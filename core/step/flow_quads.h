@@ -33,10 +33,10 @@ VBGPD_INLINE Pack load_each(const double* values, const std::int32_t* j) {
 }
 
 /// First two members of four records.
-struct Pairs {
+struct FirstTwo {
   Pack a, b;
 };
-VBGPD_INLINE Pairs load_pairs(const double* records, const std::int32_t* j) {
+VBGPD_INLINE FirstTwo load_first_two(const double* records, const std::int32_t* j) {
   using Pair [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
   const auto pair = [&](int k) { return *reinterpret_cast<const Pair*>(records + 4l * j[k]); };
   const Pack r0 = __builtin_shufflevector(pair(0), pair(2), 0, 1, 2, 3);

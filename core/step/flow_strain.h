@@ -36,7 +36,7 @@ VBGPD_INLINE bool add_soil_strain(const FlowData& d, const FlowControls& c, int 
     return false;
   }
   const Pack r = root(r2), weight = pair_weight(c, r);
-  const Pairs end = load_pairs(d.constants, j);
+  const FirstTwo end = load_first_two(d.constants, j);
   const double* const self = d.constants + 4l * i;
   const Pack vx = other.c - own.c, vy = other.d - own.d;
   add_viscosity(c, x, y, r2, vx, vy, weight, 0.5 * (self[1] * end.a + self[0] * end.b), s.approach);
