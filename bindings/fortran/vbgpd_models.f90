@@ -250,6 +250,9 @@ contains
     if (.not. accept_points(xy, places, stat, errmsg)) return
     if (.not. as_many(size(values, 2, c_int64_t), places%n, stat, errmsg)) return
     view = view_of_items(values)
+    if (present(inside)) then
+      if (.not. as_many(size(inside, kind=c_int64_t), view%n, stat, errmsg)) return
+    end if
     call conclude(vbgpd_model_sample_points(self%handle, id, places%address, places%stride, places%n, view%first, &
                                             view%row, view%column, first_mark(inside), mark_stride(inside)), &
                   vbgpd_model_error, self%handle, stat, errmsg)
@@ -268,6 +271,9 @@ contains
     integer(c_int32_t) :: id
     if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
     view = view_of_items(values)
+    if (present(inside)) then
+      if (.not. as_many(size(inside, kind=c_int64_t), view%n, stat, errmsg)) return
+    end if
     call conclude(vbgpd_model_sample_line(self%handle, id, from(1), from(2), to(1), to(2), view%n, view%first, view%row, &
                                           view%column, first_mark(inside), mark_stride(inside)), &
                   vbgpd_model_error, self%handle, stat, errmsg)
@@ -288,6 +294,9 @@ contains
     if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
     if (.not. as_many(size(values, 2, c_int64_t), nx*ny, stat, errmsg)) return
     view = view_of_items(values)
+    if (present(inside)) then
+      if (.not. as_many(size(inside, kind=c_int64_t), view%n, stat, errmsg)) return
+    end if
     call conclude(vbgpd_model_sample_grid(self%handle, id, origin(1), origin(2), step(1), step(2), nx, ny, view%first, &
                                           view%row, view%column, first_mark(inside), mark_stride(inside)), &
                   vbgpd_model_error, self%handle, stat, errmsg)
@@ -329,9 +338,14 @@ contains
     if (.not. find_field(field, merge(2, 1, present(second)), id, stat, errmsg)) return
     status = vbgpd_model_view_acquire(self%handle, id, lent)
     if (status >= 0) then
+      if (lent%type /= VBGPD_TYPE_F64) then
+        status = vbgpd_model_view_release(self%handle, lent%lease)
+        call refuse(VBGPD_E_UNSUPPORTED, "The field '" // field // "' is not of real numbers.", stat, errmsg)
+        return
+      end if
       lease = lent%lease
-      call c_f_pointer(lent%data, first, [lent%count])
-      if (present(second)) call c_f_pointer(moved(lent%data, lent%stride_component), second, [lent%count])
+      first => items_of(lent, 0_c_int64_t)
+      if (present(second)) second => items_of(lent, lent%stride_component)
     end if
     call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
   end subroutine view
@@ -499,6 +513,17 @@ contains
     if (.not. present(marks)) return
     if (size(marks) > 1) bytes = byte_distance(c_loc(marks(1)), c_loc(marks(2)))
   end function mark_stride
+
+  ! One component of the items of a view, at the distances they are stored.
+  function items_of(lent, offset) result(items)
+    type(vbgpd_view), intent(in) :: lent
+    integer(c_int64_t), intent(in) :: offset
+    real(c_double), pointer :: items(:), every(:)
+    integer(c_int64_t) :: step
+    step = lent%stride_item/8
+    call c_f_pointer(moved(lent%data, offset), every, [max(0_c_int64_t, (lent%count - 1)*step + 1)])
+    items => every(1::step)
+  end function items_of
 
   function moved(address, bytes) result(there)
     type(c_ptr), intent(in) :: address

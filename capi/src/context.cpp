@@ -19,7 +19,11 @@ void check(const vbgpd_context_desc& desc) {
   if (desc.abi_version != VBGPD_ABI_VERSION) {
     throw ArgumentError(1, Status::kVersion, "abi_version is not that of this library.");
   }
-  if (desc.threads < 0) throw ArgumentError(1, Status::kRange, "threads must be 0 (all cores) or more.");
+  constexpr std::int32_t kMostThreads = 1024;
+  if (desc.threads < 0 || desc.threads > kMostThreads)
+    throw ArgumentError(1, Status::kRange,
+                        "threads is " + std::to_string(desc.threads) + "; it must be 0 (all cores) to " +
+                            std::to_string(kMostThreads) + ".");
   if (desc.max_particles < 0) throw ArgumentError(1, Status::kRange, "max_particles must be 0 (no limit) or more.");
   if (desc.max_bytes < 0) throw ArgumentError(1, Status::kRange, "max_bytes must be 0 (no limit) or more.");
   if ((desc.alloc == nullptr) != (desc.free == nullptr)) {

@@ -77,7 +77,8 @@ vbgpd_status vbgpd_model_events_read(vbgpd_model* model, int64_t after, vbgpd_ev
     if (cap < 0)
       throw ArgumentError(5, Status::kArgument,
                           "The capacity is " + std::to_string(cap) + " events; it must be 0 or more.");
-    const std::int64_t first = std::max(events.oldest(), std::max<std::int64_t>(after, 0) + 1);
+    const std::int64_t seen = std::clamp<std::int64_t>(after, 0, events.newest());
+    const std::int64_t first = std::max(events.oldest(), seen + 1);
     const std::int64_t count = std::max<std::int64_t>(0, events.newest() - first + 1);
     if (cap > 0) {
       require_struct(dst, 3);
@@ -94,7 +95,7 @@ vbgpd_status vbgpd_model_events_read(vbgpd_model* model, int64_t after, vbgpd_ev
       fill(to, events.at(first + k));
     }
     if (n != nullptr) *n = cap == 0 ? count : given;
-    if (dropped != nullptr) *dropped = first - 1 - std::max<std::int64_t>(after, 0);
+    if (dropped != nullptr) *dropped = first - 1 - seen;
     return Status::kOk;
   });
 }

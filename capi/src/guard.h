@@ -106,6 +106,7 @@ vbgpd_status destroy(Handle* handle) noexcept {
   if (!object) return VBGPD_E_HANDLE;
   Gate& gate = object->gate();
   if (const Status status = gate.enter(); status != Status::kOk) return code(status);
+  if constexpr (std::is_same_v<Handle, vbgpd_model>) object->engine->leases.clear();  // its jobs go on
   const std::unique_ptr<Object> owned = object.withdraw_object();
   gate.leave();  // a model's gate lives on in its jobs
   return VBGPD_OK;

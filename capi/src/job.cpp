@@ -1,5 +1,6 @@
 // Jobs: long analyses in slices.
 #include <cmath>
+#include <optional>
 
 #include "convert.h"
 #include "guard.h"
@@ -183,7 +184,10 @@ vbgpd_status vbgpd_job_cancel(vbgpd_job* job) {
 vbgpd_status vbgpd_job_get_f64(const vbgpd_job* job, const char* name, int64_t len, double* value) {
   return with(job, [&](JobObject& object) {
     require_not_null(value, 4, "value");
-    *value = object.job->get(text_in(name, len, 2, "name"));
+    const std::string_view key = text_in(name, len, 2, "name");
+    std::optional<Inside> model;  // what is read off the model, which another thread may be stepping
+    if (key == "particles" || key == "bonds") require(model.emplace(object.engine->gate), 1, "model of this job");
+    *value = object.job->get(key);
     return Status::kOk;
   });
 }

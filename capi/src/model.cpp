@@ -129,7 +129,7 @@ vbgpd_status vbgpd_model_get_f64(const vbgpd_model* model, const char* name, int
   return with(model, [&](ModelObject& object) {
     require_not_null(value, 4, "value");
     const std::string_view key = text_in(name, len, 2, "name");
-    const std::optional<double> forecast = forecast_of(*object.engine->simulation, key);
+    const std::optional<double> forecast = forecast_of(*object.engine, key);
     *value = forecast ? *forecast : object.engine->simulation->get(key);
     return Status::kOk;
   });

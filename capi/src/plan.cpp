@@ -34,7 +34,7 @@ vbgpd_feature feature_of(const Feature& from, const Simulation& simulation) {
 
 }  // namespace
 
-std::optional<double> forecast_of(Simulation& simulation, std::string_view name) {
+std::optional<double> forecast_of(const Engine& engine, std::string_view name) {
   constexpr std::string_view kPrefix = "forecast_";
   if (!name.starts_with(kPrefix)) return std::nullopt;
   name.remove_prefix(kPrefix.size());
@@ -44,7 +44,7 @@ std::optional<double> forecast_of(Simulation& simulation, std::string_view name)
   if (name == "seconds") number = &Forecast::seconds;
   if (name == "bytes") number = &Forecast::bytes;
   if (number == nullptr) return std::nullopt;
-  return forecast_strength_reduction(simulation).*number;
+  return forecast_strength_reduction(engine.to_change()).*number;
 }
 
 }  // namespace vbgpd::capi

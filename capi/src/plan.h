@@ -4,11 +4,11 @@
 #include <optional>
 #include <string_view>
 
-#include "simulation/simulation.h"
+#include "objects.h"
 
 namespace vbgpd::capi {
 
 /// "forecast_seconds" ...; nothing for any other name. Runs a few steps and puts the state back.
-std::optional<double> forecast_of(Simulation& simulation, std::string_view name);
+std::optional<double> forecast_of(const Engine& engine, std::string_view name);
 
 }  // namespace vbgpd::capi

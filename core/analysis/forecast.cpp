@@ -15,7 +15,11 @@ namespace {
 constexpr double kStepsPerRoot = 170;
 
 double measured_step(Simulation& simulation) {
-  const auto before = simulation.save();
+  struct PutBack {
+    Simulation& simulation;
+    std::shared_ptr<SavedState> before = simulation.save();
+    ~PutBack() { simulation.restore(*before); }  // only the state differs: takes nothing from the heap
+  } const put_back{simulation};
   simulation.halt();
   simulation.relax(1, {});  // finds its time step first
   constexpr double kLongEnough = 0.02;
@@ -27,7 +31,6 @@ double measured_step(Simulation& simulation) {
     const double seconds = watch.wall();
     best = std::min(best, seconds / kWindow), all += seconds;
   }
-  simulation.restore(*before);
   return best;
 }
 
@@ -45,6 +48,7 @@ double state_bytes(const Simulation& simulation) {
 }  // namespace
 
 Forecast forecast_strength_reduction(Simulation& simulation) {
+  if (simulation.runs_out()) throw Error(Status::kUnsupported, "a run-out has no factor of safety to forecast");
   Forecast f;
   f.step_seconds = measured_step(simulation);
   f.steps = kStepsPerRoot * std::sqrt(static_cast<double>(simulation.particle_count()));

@@ -12,7 +12,8 @@ struct Forecast {
   double bytes = 0;         ///< memory while it runs: the simulation, four saved states, the grid twice as coarse
 };
 
-/// Runs a few relaxation steps to measure (a few hundredths of a second) and puts the state back, to the last bit.
+/// Runs a few relaxation steps to measure (a few hundredths of a second) and puts the state back, to the last bit,
+/// also when memory runs out. Throws Error(kUnsupported) for a run-out.
 Forecast forecast_strength_reduction(Simulation& simulation);
 
 }  // namespace vbgpd

@@ -334,6 +334,10 @@ Slices GridSearch::upper_end_from_gravity() {
   for (double step = 2 * notch; !done_ && std::isnan(failed_) && !(runaway_ <= factor); step *= 2) {
     simulation_.restore(*gravity_);
     for (Slices s = try_factor(factor, Phase::kFailedEnd); s.next();) co_yield Pause{};
+    if (!done_ && verdict_ == Verdict::kStable && factor >= options_.srf_max) {
+      end_above();
+      co_return;
+    }
     factor = std::min(options_.srf_max, notched(factor + step + 0.5 * notch));
   }
   while (!done_ && !closed()) {

@@ -61,10 +61,12 @@ class RunoutJob final : public SliceJob {
     RelaxOptions elastic;
     elastic.elastic = true;
     const Real time_step = simulation_.get("time_step");
+    const std::shared_ptr<SavedState> before = simulation_.save();
     for (std::int64_t n = 0; static_cast<Real>(n) * time_step < longest; n += kSlice) {
       const RelaxReport r = simulation_.relax(kSlice, elastic);
       progress_.steps += r.steps, progress_.unbalanced_force_ratio = r.unbalanced_force_ratio;
       if (r.diverged) {
+        simulation_.restore(*before);
         diverge();
         co_return;
       }
@@ -77,11 +79,14 @@ class RunoutJob final : public SliceJob {
   Slices run_out(Real fall) {
     progress_.phase = Phase::kRunout;
     const Real end = option("end_time"), longest = 200 * fall;
+    const Real begun = simulation_.get("time");
     const Real scale = simulation_.get("total_mass") * simulation_.scene().gravity * simulation_.get("height");
     for (;;) {
       const Real time = simulation_.get("time"), kinetic = simulation_.get("kinetic_energy");
       const Real peak = simulation_.get("peak_kinetic_energy");
-      const bool rests = kinetic < kRest * peak && peak > 1e3 * kStanding * scale;
+      // a model that had come to rest may have been driven anew: it is given time to set out again
+      const bool rests =
+          kinetic < kRest * peak && peak > 1e3 * kStanding * scale && (begun <= 0 || time > begun + 2 * fall);
       const bool stands = time > 2 * fall && peak < 1e3 * kStanding * scale && kinetic < kStanding * scale;
       progress_.unbalanced_force_ratio = simulation_.get("unbalanced_force_ratio");
       progress_.fraction = end > 0 ? std::min(1.0, time / end) : 0;

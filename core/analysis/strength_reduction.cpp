@@ -30,6 +30,7 @@ class StrengthReductionJob final : public SliceJob {
         co_yield Pause{};
       }
       Simulation& simulation = other ? *other : simulation_;
+      const std::shared_ptr<SavedState> before = other ? nullptr : simulation.save();
       progress_.level = static_cast<int>(n);
       progress_.srf_stable = progress_.srf_unstable = kNone;
       const std::int64_t steps = progress_.steps;
@@ -38,6 +39,8 @@ class StrengthReductionJob final : public SliceJob {
       for (Slices s = search.run(); !out_of_time() && s.next(); co_yield Pause{}) estimate_fraction(n);
       const bool whole = !out_of_time();
       const bool bracketed = whole && search.end() == SearchEnd::kBracketed;
+      if (!other && (!whole || search.end() == SearchEnd::kDiverged)) simulation.restore(*before);
+      else if (!bracketed) simulation.halt();
       Level level = level_of(simulation, search);
       if (bracketed) {
         level.factor_of_safety = (search.stable() + search.failed()) / 2;
@@ -252,6 +255,7 @@ class StrengthReductionJob final : public SliceJob {
     result_.slip_surface = slip.line;
     result_.sliding_area = slip.sliding_area;
     result_.max_displacement = simulation.get("max_displacement");
+    simulation.halt();  // velocities of the relaxation are none of the soil
   }
 
   void give_up(const GridSearch& search) {

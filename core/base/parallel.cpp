@@ -68,7 +68,11 @@ Workers::Session::Session(Workers& workers) : workers_(workers) {
   if (p.sessions++ != 0) return;
   p.stop = false;
   const unsigned seen = p.generation.load();
-  for (int t = 1; t < p.threads; ++t) p.helpers.emplace_back([&p, seen] { p.help(seen); });
+  try {
+    p.helpers.reserve(static_cast<std::size_t>(p.threads - 1));
+    for (int t = 1; t < p.threads; ++t) p.helpers.emplace_back([&p, seen] { p.help(seen); });
+  } catch (...) {  // no more threads to be had: those there are do the work, with the same bits
+  }
 }
 
 Workers::Session::~Session() {

@@ -1,6 +1,7 @@
 #include "geometry/walls.h"
 
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace vbgpd {
@@ -133,8 +134,21 @@ class WallBuilder {
     if (source >= 0) wall.volume = soil_[source].volume;
     if (source < 0)
       source = nearest_seed(index_, cell.ix, cell.iy, 4 * (reach_ + 2), spacing_, [](Index) { return true; });
+    if (source < 0) source = nearest_of_all(cell);
     if (source >= 0) wall.material = soil_[source].material, wall.layer = soil_[source].layer;
     return wall;
+  }
+
+  /// Soil thinner than a cell is merged into seeds that may stand far away.
+  Index nearest_of_all(const WallCell& cell) const {
+    Index nearest = -1;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (std::size_t k = 0; k < soil_.size(); ++k) {
+      const Vec2 away(static_cast<Real>(soil_[k].ix - cell.ix), static_cast<Real>(soil_[k].iy - cell.iy));
+      const Real distance = away.cwiseProduct(spacing_).squaredNorm();
+      if (distance < least) least = distance, nearest = static_cast<Index>(k);
+    }
+    return nearest;
   }
 
   const Vertices& exterior_;

@@ -27,6 +27,7 @@ constexpr Range kAny{-kInfinity, kInfinity, true, true};
 constexpr Range kPositive{0, kInfinity, true, true};
 constexpr Range kNotNegative{0, kInfinity, false, true};
 constexpr Range kAngle{0, 90, false, true};
+constexpr Range kFactor{1e-3, 1e3, false, false};
 constexpr Range kCoefficient{-1, 1, true, true};
 
 template <typename Object>
@@ -84,11 +85,11 @@ constexpr std::array kEntries = {
           "Smoothing length / spacing; the support radius is twice the smoothing length."),
     entry(&SceneDef::jitter, kScene, "jitter", "1", 0, Range{0, 0.5, false, true},
           "Largest random shift of a particle out of the centre of its cell, in spacings; 0 = a lattice."),
-    entry(&StrengthReductionDef::srf_min, kScene, "srf_min", "1", 0.1, kPositive,
+    entry(&StrengthReductionDef::srf_min, kScene, "srf_min", "1", 0.1, kFactor,
           "Smallest strength reduction factor tried."),
-    entry(&StrengthReductionDef::srf_max, kScene, "srf_max", "1", 20, kPositive,
+    entry(&StrengthReductionDef::srf_max, kScene, "srf_max", "1", 20, kFactor,
           "Largest strength reduction factor tried."),
-    entry(&StrengthReductionDef::tolerance, kScene, "srf_tolerance", "1", 0.005, Range{0, 0.5, true, false},
+    entry(&StrengthReductionDef::tolerance, kScene, "srf_tolerance", "1", 0.005, Range{1e-4, 0.5, false, false},
           "Width of the bracket of the factor of safety asked for."),
 };
 

@@ -35,7 +35,6 @@ void add_materials(const SceneDef& scene, FlowModel& m) {
     m.law.push_back(law);
     m.strength.push_back(s);
     m.moduli.push_back(derive(Elastic{}, d.young_modulus, d.poisson_ratio, {}));
-    m.stiffness = std::max(m.stiffness, d.young_modulus);
   }
 }
 
@@ -160,6 +159,7 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
   m.support = 2 * scene.smoothing_ratio * m.spacing;
   m.height = from.section().height, m.gravity = scene.gravity;
   m.stress_scale = from.model().stress_scale;
+  m.stiffness = from.model().stiffness;
   add_materials(scene, m);
   m.walls = walls_of(from.section(), scene);
   add_particles(from, m);

@@ -52,6 +52,7 @@ std::unique_ptr<Simulation> Simulation::restored(const SceneDef& scene, const Co
   // come on top while the model it is made from lives.
   limited.max_particles = image.runs_out ? 16 * image.particles + 4096 : image.particles;
   std::unique_ptr<Simulation> made = compile(scene, limited);
+  static_cast<LatticeSimulation&>(*made).limit_particles(options.max_particles);
   if (image.runs_out) {
     try {
       if (const Layers layers = layers_of(image, scene.layers.size()); !layers.empty()) made->set_layers(layers);

@@ -25,6 +25,13 @@ inline double image_number(const StateImage& image, std::string_view name, doubl
   refuse_image("lacks the number " + std::string(name));
 }
 
+/// A number that images of earlier versions do not have.
+inline double image_number_or(const StateImage& image, std::string_view name, double low, double high, double absent) {
+  const bool there =
+      std::any_of(image.numbers.begin(), image.numbers.end(), [&](const auto& n) { return n.name == name; });
+  return there ? image_number(image, name, low, high) : absent;
+}
+
 /// Values of an array of that many rows, or nullptr when the checkpoint has none of that name.
 inline const std::vector<double>* image_rows(const StateImage& image, std::string_view name, int components,
                                              std::size_t count) {

@@ -85,6 +85,7 @@ StateImage LatticeSimulation::image() const {
                  {"pack_width", static_cast<double>(model_.width)},
                  {"strength_reduction_factor", factor_},
                  {"damping", damping_},
+                 {"time_step_factor", time_step_factor_},
                  {"external_work", ledger_.external},
                  {"damping_dissipation", ledger_.damping},
                  {"plastic_dissipation", ledger_.plastic}};
@@ -123,6 +124,7 @@ void LatticeSimulation::restore_image(const StateImage& image) {
   const double since_restart = image_number(image, "since_restart", 0, kCount);
   const double factor = image_number(image, "strength_reduction_factor", 1e-3, 1e3);
   const double damping = image_number(image, "damping", 0, std::nextafter(1.0, 0.0));
+  const double step_factor = image_number_or(image, "time_step_factor", 1e-6, 4, kDefaultTimeStepFactor);
   Ledger ledger;
   ledger.external = image_number(image, "external_work", -kLarge, kLarge);
   ledger.damping = image_number(image, "damping_dissipation", -kLarge, kLarge);
@@ -190,6 +192,7 @@ void LatticeSimulation::restore_image(const StateImage& image) {
     state_ = std::move(state);
   }
   time_ = time, last_time_step_ = last_step, damping_ = damping, ledger_ = ledger;
+  time_step_factor_ = step_factor;
   steps_ = static_cast<std::int64_t>(steps), since_restart_ = static_cast<std::int64_t>(since_restart);
 }
 

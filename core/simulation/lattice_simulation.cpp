@@ -243,12 +243,14 @@ void LatticeSimulation::restore(const SavedState& other) {
     factor_ = saved.factor;
     drive_ = std::move(drive), outside_ = std::move(outside), force_version_ = saved.force_version;
   } else {
-    std::vector<LawConstants> constants = pair_constants(model_, saved.factor, false);
+    std::optional<std::vector<LawConstants>> constants;  // nothing is taken from the heap where only the state differs
+    if (saved.factor != factor_) constants = pair_constants(model_, saved.factor, false);
     if (saved.force_version != force_version_) {
       take_forces(saved.drive, saved.outside);
       force_version_ = saved.force_version;
     }
-    take_constants(saved.factor, std::move(constants));
+    if (constants) take_constants(saved.factor, *std::move(constants));
+    audit_.valid = false;
     state_ = saved.state;
   }
   time_ = saved.time, steps_ = saved.steps, since_restart_ = saved.since_restart;

@@ -21,6 +21,8 @@ class LatticeSimulation final : public Simulation {
   std::int64_t particle_count() const override { return model_.particles; }
   std::int64_t bond_count() const override { return model_.bonds; }
   Monitors monitors() const override;
+  /// Limit of the finer grids that are made of it, 0 = none.
+  void limit_particles(std::int64_t most) { options_.max_particles = most; }
   Monitors monitors_after(const StepReport& steps) const override;
   RelaxReport relax(std::int64_t steps, const RelaxOptions& options) override;
   void halt() override;

@@ -53,7 +53,7 @@ void spread_surface_loads(const std::vector<LoadDef>& loads, const Section& sect
     };
     std::vector<std::pair<std::size_t, Real>> shares;
     std::set<Index> columns;
-    Real total = 0, carried = 0;
+    Real total = 0, carried = 0, covered = 0, met = 0;
     for (std::size_t k = 0; k < section.seeds.size(); ++k) {
       const Seed& seed = section.seeds[k];
       if (seed.hold != Hold::kFree || !seed.active) continue;
@@ -62,14 +62,18 @@ void spread_surface_loads(const std::vector<LoadDef>& loads, const Section& sect
       if (right <= left || ground_level(section.ground, center.x()) - center.y() > depth) continue;
       const Real mean = pressure((left + right) / 2);
       const Real f = mean * area(k) * (right - left) / dx;
-      if (columns.insert(seed.ix).second) carried += mean * (right - left);
+      if (columns.insert(seed.ix).second) carried += mean * (right - left), covered += right - left;
+      met += area(k) * (right - left) / dx;
       shares.emplace_back(k, f);
       total += f;
     }
     // where soil was taken away down to the base there is nothing left to stand on
     const Real asked = whole ? (load.pressure + end) / 2 * (load.x1 - load.x0) : carried;
-    if (total == 0) continue;
-    for (const auto& [k, f] : shares) push(k, -(f * asked / total));
+    // pressures of both signs may add up to nothing: then the widths tell what the discrete surface is off by
+    const bool one_sign = load.pressure * end >= 0;
+    if ((one_sign ? total : met) == 0) continue;
+    const Real factor = one_sign ? asked / total : covered / met;
+    for (const auto& [k, f] : shares) push(k, -(f * factor));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "slope_model.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,14 +45,18 @@ static int refresh(slope_model* s) {
 }
 
 static int make_raster(slope_model* s, vbgpd_profile* profile) {
-  double xy[2000], x1, y1;
+  double *xy, x1, y1;
   int64_t n = 0, k;
-  if (vbgpd_profile_polygon(profile, VBGPD_OBJECT_PROFILE, 0, xy, 16, 1000, &n) != VBGPD_OK) return 0;
+  if (vbgpd_profile_polygon(profile, VBGPD_OBJECT_PROFILE, 0, NULL, 16, 0, &n) != VBGPD_OK) return 0;
+  xy = malloc((size_t)n * 2 * sizeof(double));
+  if (xy == NULL) return 0;
+  if (vbgpd_profile_polygon(profile, VBGPD_OBJECT_PROFILE, 0, xy, 16, n, &n) != VBGPD_OK) return free(xy), 0;
   s->x0 = x1 = xy[0], s->y0 = y1 = xy[1];
   for (k = 1; k < n; ++k) {
     s->x0 = fmin(s->x0, xy[2 * k]), x1 = fmax(x1, xy[2 * k]);
     s->y0 = fmin(s->y0, xy[2 * k + 1]), y1 = fmax(y1, xy[2 * k + 1]);
   }
+  free(xy);
   vbgpd_profile_get_f64(profile, VBGPD_OBJECT_PROFILE, 0, "spacing", VBGPD_STRLEN, &s->step);
   s->nx = (int)ceil((x1 - s->x0) / s->step - 1e-9) + 1;
   s->ny = (int)ceil((y1 - s->y0) / s->step - 1e-9) + 1;
@@ -131,21 +136,33 @@ int slope_advance(slope_model* s, double time) {
          done(s, vbgpd_model_advance_to(s->model, time, 0, NULL, NULL, NULL)) && refresh(s);
 }
 
+static size_t raster_bytes(const slope_model* s) { return (size_t)s->nx * (size_t)s->ny * sizeof(double); }
+
+/* size of the checkpoint, checkpoint, pressures last set, whether they wait for the next advance */
 int slope_save(slope_model* s) {
   int64_t size = 0;
+  char* next;
   if (!done(s, vbgpd_model_checkpoint(s->model, NULL, 0, &size))) return 0;
   free(s->saved);
-  s->saved_size = (uint64_t)size + 8;
-  s->saved = malloc((size_t)s->saved_size);
-  if (s->saved == NULL) return 0;
+  s->saved_size = (uint64_t)size + 8 + raster_bytes(s) + sizeof s->pore_pressure_is_new;
+  s->saved = s->saved_size <= INT_MAX ? malloc((size_t)s->saved_size) : NULL; /* BMI counts bytes in int */
+  if (s->saved == NULL) return s->saved_size = 0, 0;
   memcpy(s->saved, &size, 8);
-  return done(s, vbgpd_model_checkpoint(s->model, s->saved + 8, size, &size));
+  if (!done(s, vbgpd_model_checkpoint(s->model, s->saved + 8, size, &size))) return 0;
+  next = s->saved + 8 + size;
+  memcpy(next, s->pore_pressure, raster_bytes(s));
+  memcpy(next + raster_bytes(s), &s->pore_pressure_is_new, sizeof s->pore_pressure_is_new);
+  return 1;
 }
 
 int slope_restore(slope_model* s, const char* saved) {
+  const char* next;
   int64_t size;
   memcpy(&size, saved, 8);
   if (!done(s, vbgpd_model_restore_checkpoint(s->model, saved + 8, size))) return 0;
+  next = saved + 8 + size;
+  memcpy(s->pore_pressure, next, raster_bytes(s));
+  memcpy(&s->pore_pressure_is_new, next + raster_bytes(s), sizeof s->pore_pressure_is_new);
   s->kh = slope_number(s, "kh");
   return refresh(s);
 }

@@ -4,12 +4,13 @@ program fortran_face_test
   implicit none
   type(vbgpd_context) :: context
   type(vbgpd_profile) :: profile
-  type(vbgpd_model) :: model
+  type(vbgpd_model) :: model, moving
   character(:), allocatable :: errmsg, text
   character(20) :: padded = "spacing"
-  real(c_double) :: three_rows(3, 4) = 0, columns(4, 2) = 0, value, stress(3, 10), none(4, 0)
-  real(c_double), allocatable :: xy(:, :)
-  integer(c_int64_t) :: n
+  real(c_double) :: three_rows(3, 4) = 0, columns(4, 2) = 0, value, stress(3, 10), none(4, 0), nothing(2, 0), sampled(4, 4)
+  real(c_double), allocatable :: xy(:, :), velocity(:, :)
+  real(c_double), pointer :: first(:), second(:)
+  integer(c_int64_t) :: n, lease, marks(4)
   integer(c_int32_t) :: stat
 
   call profile%set("spacing", 1.0_c_double, stat=stat, errmsg=errmsg)
@@ -47,6 +48,22 @@ program fortran_face_test
   call expect(stat == VBGPD_E_ARGUMENT .and. index(errmsg, "4 components") > 0, "rows must be as many as components")
   call model%read("strain", stress, stat=stat, errmsg=errmsg)
   call expect(stat == VBGPD_E_UNKNOWN_NAME .and. index(errmsg, "strain") > 0, "an unknown field is named")
+  call model%sample("stress", transpose(columns), sampled, marks(:1), stat, errmsg)
+  call expect(stat == VBGPD_E_ARGUMENT .and. index(errmsg, "values for 1 places") > 0, "marks are as many as places")
+  call model%view("particle_id", lease, first, stat=stat, errmsg=errmsg)
+  call expect(stat == VBGPD_E_UNSUPPORTED .and. .not. associated(first), "views are of real numbers")
+  call model%set("strength_reduction_factor", 3.0_c_double)
+  call moving%create_runout(model)
+  call moving%step(20_c_int64_t)
+  call moving%view("velocity", lease, first, second)
+  n = 0
+  call moving%read("velocity", nothing, n)
+  allocate (velocity(2, n))
+  call moving%read("velocity", velocity)
+  call expect(size(first) == size(velocity, 2), "a view has every item")
+  call expect(abs(sum(first**2 + second**2) - sum(velocity**2)) <= 1e-12*sum(velocity**2) .and. sum(velocity**2) > 0, &
+              "items of a run-out lie apart and are found")
+  call moving%release(lease)
   n = 0
   call model%read("stress", none, n)
   call expect(n > 0, "an array for no items asks for their number")

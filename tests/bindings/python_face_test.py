@@ -156,6 +156,21 @@ class PythonFace(unittest.TestCase):
         with self.assertRaises(vbgpd.Error):
             model.write("external_force", forces[:-1])
 
+    def test_values_of_other_components_are_refused(self):
+        model = vbgpd.Model(self.context, make_profile(self.context))
+        n = model.item_count(vbgpd.Location.PARTICLE)
+        for name, shape in (("velocity", (n,)), ("external_force", (n, 1)), ("pore_pressure", (n, 5))):
+            with self.assertRaisesRegex(ValueError, "components"):
+                model.write(name, numpy.zeros(shape))
+        model.write("pore_pressure", numpy.ones((n, 1)))
+        self.assertTrue((model.field("pore_pressure") == 1).all())
+
+    def test_a_job_holds_its_model(self):
+        job = vbgpd.Job.equilibrium(vbgpd.Model(self.context, make_profile(self.context)))
+        gc.collect()
+        self.assertEqual(job.run(), vbgpd.Status.OK)
+        self.assertGreater(job.get("particles"), 0)
+
     def test_names_that_do_not_exist_are_errors(self):
         model = vbgpd.Model(self.context, make_profile(self.context))
         for call in (lambda: model.field("presure"), lambda: model.get("presure"), lambda: vbgpd.field("x", LIBRARY)):

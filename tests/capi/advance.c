@@ -53,8 +53,13 @@ static void slices_change_no_bit(vbgpd_context* context) {
   CHECK_OK(vbgpd_model_destroy(sliced));
 }
 
+static vbgpd_job* job_of_the_model;
+
 static int32_t VBGPD_CALL call_back_in(void* user, const vbgpd_progress* p) {
+  double value;
   (void)p;
+  CHECK_OK(vbgpd_job_get_f64(job_of_the_model, "factor_of_safety", VBGPD_STRLEN, &value));
+  CHECK_STATUS(VBGPD_E_REENTRANT, vbgpd_job_get_f64(job_of_the_model, "bonds", VBGPD_STRLEN, &value));
   CHECK_STATUS(VBGPD_E_REENTRANT, vbgpd_model_step((vbgpd_model*)user, 1, NULL));
   return 1;
 }
@@ -89,7 +94,9 @@ static void states_bring_back_everything(vbgpd_context* context) {
   CHECK(same == state);
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_restore_state(other, state));
   CHECK_STATUS(VBGPD_E_HANDLE, vbgpd_model_restore_state(model, NULL));
+  CHECK_OK(vbgpd_job_create_strength_reduction(model, &job_of_the_model));
   CHECK_STATUS(VBGPD_CANCELLED, vbgpd_model_advance_to(model, 1e3, 0, call_back_in, model, NULL));
+  CHECK_OK(vbgpd_job_destroy(job_of_the_model));
   CHECK_OK(vbgpd_model_destroy(model)); /* before its state */
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_restore_state(other, state));
   CHECK_OK(vbgpd_state_destroy(state));

@@ -30,6 +30,7 @@ static vbgpd_model* driven_model(vbgpd_context* context) {
   CHECK_OK(vbgpd_model_set_load(model, 0, 40e3, 50e3));
   CHECK_OK(vbgpd_model_set_f64(model, "kh", VBGPD_STRLEN, 0.05));
   CHECK_OK(vbgpd_model_set_f64(model, "damping", VBGPD_STRLEN, 0.1));
+  CHECK_OK(vbgpd_model_set_f64(model, "time_step_factor", VBGPD_STRLEN, 0.5));
   CHECK_OK(vbgpd_model_set_f64(model, "strength_reduction_factor", VBGPD_STRLEN, 1.5));
   CHECK_OK(vbgpd_field_find("pore_pressure", VBGPD_STRLEN, &field));
   CHECK_OK(vbgpd_model_write_grid(model, field, 0, 0, 40, 15, 2, 2, corners, 0));

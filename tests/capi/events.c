@@ -75,6 +75,8 @@ static void events_of_other_sizes(vbgpd_context* context) {
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_events_read(model, 0, &room.first, 32, 2, &n, NULL));
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_events_read(model, 0, NULL, 32, 2, &n, NULL));
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_events_read(model, 0, NULL, 32, -2, &n, NULL));
+  CHECK_OK(vbgpd_model_events_read(model, INT64_MAX, NULL, 0, 0, &n, &i));
+  CHECK(n == 0 && i == 0);
   CHECK_OK(vbgpd_model_destroy(model));
 }
 

@@ -123,6 +123,7 @@ static void ground_follows_the_soil(vbgpd_model* model) {
 }
 
 static void views_hold_the_model_still(vbgpd_model* model) {
+  double seconds;
   vbgpd_view u, ids;
   int64_t n, i, seen = 0;
   double* copy;
@@ -147,6 +148,7 @@ static void views_hold_the_model_still(vbgpd_model* model) {
   free(copy);
   CHECK_STATUS(VBGPD_E_LEASED, vbgpd_model_step(model, 1, NULL));
   CHECK_STATUS(VBGPD_E_LEASED, vbgpd_model_set_f64(model, "damping", VBGPD_STRLEN, 0.1));
+  CHECK_STATUS(VBGPD_E_LEASED, vbgpd_model_get_f64(model, "forecast_seconds", VBGPD_STRLEN, &seconds));
   CHECK_OK(vbgpd_model_view_release(model, u.lease));
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_view_release(model, u.lease));
   CHECK_STATUS(VBGPD_E_LEASED, vbgpd_model_advance_to(model, 1, 0, NULL, NULL, NULL));
@@ -160,7 +162,18 @@ static void views_hold_the_model_still(vbgpd_model* model) {
   CHECK_OK(vbgpd_model_step(model, 1, NULL));
   CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_view_acquire(model, field_of("stress"), &u));
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_view_acquire(model, 1000, &u));
-  CHECK_OK(vbgpd_model_view_acquire(model, field_of("velocity"), &u)); /* ended by the end of the model */
+}
+
+/* The end of a model is the end of its leases: a job that outlives it can run. */
+static void leases_end_with_their_model(vbgpd_model* model) {
+  vbgpd_job* job = NULL;
+  vbgpd_view u;
+  u.struct_size = sizeof u;
+  CHECK_OK(vbgpd_job_create_equilibrium(model, &job));
+  CHECK_OK(vbgpd_model_view_acquire(model, field_of("velocity"), &u));
+  CHECK_OK(vbgpd_model_destroy(model));
+  CHECK_OK(vbgpd_job_run(job, 0, NULL, NULL, NULL));
+  CHECK_OK(vbgpd_job_destroy(job));
 }
 
 int main(void) {
@@ -171,7 +184,7 @@ int main(void) {
   sampling_is_exact_for_linear_fields(model);
   ground_follows_the_soil(model);
   views_hold_the_model_still(model);
-  CHECK_OK(vbgpd_model_destroy(model));
+  leases_end_with_their_model(model);
   CHECK_OK(vbgpd_context_destroy(context));
   return 0;
 }

@@ -93,6 +93,34 @@ void survives(
   CHECK(alive <= alive_before + 4);
 }
 
+/// Threads that cannot be started are done without: nothing ends the process, the model works on.
+void threads_may_be_missing() {
+  vbgpd_context_desc desc;
+  CHECK_OK(vbgpd_context_desc_init(&desc, sizeof desc));
+  desc.threads = 3;
+  vbgpd_context* several = nullptr;
+  CHECK_OK(vbgpd_context_create(&desc, &several));
+  std::uint64_t expected = 0, got = 0;
+  vbgpd_model* one = nullptr;
+  CHECK_OK(vbgpd_model_create(context, profile, &one));
+  CHECK_OK(vbgpd_model_step(one, 2, nullptr));
+  CHECK_OK(vbgpd_model_state_hash(one, &expected));
+  CHECK_OK(vbgpd_model_destroy(one));
+  for (std::int64_t n = 0; n < 40; ++n) {
+    CHECK_OK(vbgpd_model_create(several, profile, &one));
+    CHECK_OK(vbgpd_model_step(one, 0, nullptr));
+    allocations = 0, fail_at = n;
+    const vbgpd_status s = vbgpd_model_step(one, 2, nullptr);
+    fail_at = -1;
+    CHECK(s == VBGPD_OK || s == VBGPD_E_MEMORY);
+    if (s != VBGPD_OK) CHECK_OK(vbgpd_model_step(one, 2, nullptr));
+    CHECK_OK(vbgpd_model_state_hash(one, &got));
+    CHECK(got == expected);
+    CHECK_OK(vbgpd_model_destroy(one));
+  }
+  CHECK_OK(vbgpd_context_destroy(several));
+}
+
 /// A job that runs out of memory under way is over and says so again, one that did not get to begin may begin again;
 /// the model works on, and nothing of the job stays behind.
 void job_survives(const char* name, vbgpd_status (*make)(vbgpd_model*, vbgpd_job**)) {
@@ -238,6 +266,9 @@ int main() {
   survives(
       "model_view_acquire", [&] { return vbgpd_model_view_acquire(model, field("displacement"), &view); },
       [&] { CHECK_OK(vbgpd_model_view_release(model, view.lease)); });
+  survives("model_get_f64 of a forecast",
+           [&] { return vbgpd_model_get_f64(model, "forecast_steps", VBGPD_STRLEN, out); });
+  threads_may_be_missing();
   vbgpd_job* job = nullptr;
   survives(
       "job_create_strength_reduction", [&] { return vbgpd_job_create_strength_reduction(model, &job); },

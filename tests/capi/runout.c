@@ -14,6 +14,7 @@ static void refusals(vbgpd_model* at_rest, vbgpd_model* moving) {
   /* numbers of the model at rest that a run-out has no use for are refused, not swallowed */
   CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_set_f64(moving, "time_step_factor", VBGPD_STRLEN, 0.5));
   CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_get_f64(moving, "time_step_factor", VBGPD_STRLEN, &value));
+  CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_get_f64(moving, "forecast_steps", VBGPD_STRLEN, &value));
   CHECK_STATUS(VBGPD_E_RANGE, vbgpd_model_set_f64(moving, "damping", VBGPD_STRLEN, 2));
   CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_set_layer_active(moving, 0, 0));
 }

@@ -397,6 +397,11 @@ class Model(_Object):
         """A View of a field where it is stored, without a copy; the model does not change while it is held."""
         return View(self, field(name, self._library), self._library)
 
+    def _call(self, function, *arguments):
+        for lease in self.__dict__.pop("_late", ()):  # of views dropped while another thread was in a call
+            self._c.vbgpd_model_view_release(self._handle, lease)
+        return super()._call(function, *arguments)
+
     def close(self):
         """Destroys the model; refused (E_LEASED) while arrays of its views are held."""
         if self._handle and any(lease.alive for lease in self.__dict__.get("_leases", ())):
@@ -405,17 +410,19 @@ class Model(_Object):
 
     def write(self, name, values, where=None):
         """Sets a writable field of all particles by id, or of a Selection: "pore_pressure", "external_force" ..."""
-        array, pointer, *strides = values_in(values)
-        self._call("write_f64", field(name, self._library).index, where.pointer if where else None, pointer, *strides,
+        info = field(name, self._library)
+        array, pointer, *strides = values_in(values, info.components)
+        self._call("write_f64", info.index, where.pointer if where else None, pointer, *strides,
                    len(array))
 
     def write_points(self, name, xy, values):
         """Sets a writable field from values at places, e.g. nodes of a seepage mesh."""
         places, *points = points_in(xy)
-        array, pointer, *strides = values_in(values)
+        info = field(name, self._library)
+        array, pointer, *strides = values_in(values, info.components)
         if len(array) != len(places):
             raise ValueError(f"there are values for {len(array)} places; there are {len(places)} places")
-        self._call("write_points", field(name, self._library).index, *points[:2], pointer, *strides, len(array))
+        self._call("write_points", info.index, *points[:2], pointer, *strides, len(array))
 
     def write_grid(self, name, x0, y0, dx, dy, values):
         """Sets a writable field from a raster: values of shape (ny, nx); NaN = no value."""
@@ -473,6 +480,7 @@ class Job(_Object):
 
     def __init__(self, model, create):
         super().__init__(model._library, create, model.handle, owner=model)
+        self._model = model  # it cannot be destroyed while the job runs
 
     @classmethod
     def equilibrium(cls, model):

@@ -54,7 +54,9 @@ class _Lease:
     def end(self):
         if self.alive:
             self.alive = False
-            self._model._c.vbgpd_model_view_release(self._model.handle, self._lease)
+            status = self._model._c.vbgpd_model_view_release(self._model.handle, self._lease)
+            if status in (_raw.VBGPD_E_BUSY, _raw.VBGPD_E_REENTRANT):
+                self._model.__dict__.setdefault("_late", []).append(self._lease)
 
     __del__ = end
 
@@ -92,11 +94,13 @@ class View:
         self.release()
 
 
-def values_in(values):
-    """(array, pointer, stride of items, stride of components) of float64 rows, in place."""
+def values_in(values, components):
+    """(array, pointer, stride of items, stride of components) of float64 rows of so many components, in place."""
     array = numpy.asarray(values, dtype=numpy.float64)
     if array.ndim not in (1, 2) or 0 in array.strides:
         array = numpy.ascontiguousarray(array)
     if array.ndim not in (1, 2):
         raise ValueError(f"values are an array of items, or of items and components, not of shape {array.shape}")
+    if (array.shape[1] if array.ndim == 2 else 1) != components:
+        raise ValueError(f"items of this field have {components} components; the values are of shape {array.shape}")
     return array, address(array), array.strides[0] if len(array) > 1 else 0, array.strides[1] if array.ndim == 2 else 0

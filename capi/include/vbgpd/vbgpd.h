@@ -120,13 +120,14 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_error(const vbgpd_job*, vbgpd_error_
  * 10 of a model and more; lattice cells, names, jobs, texts and what lives inside one call only come from the C++ library.
  * bytes > 0, alignment a power of 2 up to 64, to be honoured; free gets both again. alloc NULL: out of memory (VBGPD_E_MEMORY,
  * nothing changed). R5 holds, _destroy calls included; they must not throw, and stay good until the last model and state of
- * the context are destroyed. */
+ * the context are destroyed. Host threads that work with different objects of the context call them at the same time. */
 typedef void*(VBGPD_CALL* vbgpd_alloc_fn)(void* user, int64_t bytes, int64_t alignment);
 typedef void(VBGPD_CALL* vbgpd_free_fn)(void* user, void* p, int64_t bytes, int64_t alignment);
 typedef struct vbgpd_context_desc {
   uint32_t struct_size;
   int32_t abi_version;   /* VBGPD_ABI_VERSION the caller was built with; another one gives VBGPD_E_VERSION */
-  int32_t threads;       /* workers per model; 0 = all cores, 1 = none (default). Results do not depend on it */
+  int32_t threads;       /* workers per model, up to 1024; 0 = all cores, 1 = none (default). Results do not depend on it; where
+                          * the system gives fewer, those do the work */
   int32_t reserved;      /* 0 */
   int64_t max_particles; /* model creation beyond it gives VBGPD_E_LIMIT; 0 = no limit (default) */
   int64_t max_bytes;     /* a model predicted to have more once it was stepped, relaxed and read (saved states not counted), or a run-out
@@ -226,7 +227,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* 
  * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds, plastic_bonds,
  * bytes, and the energy ledger since creation: kinetic_energy, elastic_energy, plastic_dissipation, damping_dissipation,
  * external_work, energy_residual (relative to the largest of them); and estimates of a factor of safety on this grid, from
- * steps run on a copy when asked: forecast_step_seconds (measured), forecast_steps, forecast_seconds, forecast_bytes */
+ * steps that are run when asked and taken back: forecast_step_seconds (measured), forecast_steps, forecast_seconds, forecast_bytes
+ * (like a call that changes the model: VBGPD_E_LEASED, VBGPD_E_STATE while a job is under way; a run-out: VBGPD_E_UNSUPPORTED) */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_get_f64(const vbgpd_model*, const char* name, int64_t len, double* value);
 /* What the model uses of everything the engine can do. A feature left out has no bytes and costs no time. Some begin to be used
  * (relaxation by the first job, dynamic steps by the first _step, copies for fields by the first reading). */
@@ -331,7 +333,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_runout(vbgpd_model*, vbgpd_jo
 /* A job works on the model it was made for; while a slice runs that model answers VBGPD_E_BUSY to other threads and
  * VBGPD_E_REENTRANT to the job's own callback. When a strength reduction has ended the model is left in the failing state of
  * the grid with the profile's spacing, so that its fields show the mechanism; it is the finest one unless a target or a budget
- * went on to finer ones, or ended before it (then the model is as it was). */
+ * went on to finer ones, or ended before it (then the model is as it was). Without a bracket it stands still in the last trial on
+ * that grid, or where that diverged as it was. A job destroyed under way leaves what its last slice left, velocities of the
+ * relaxation and the factor of the trial with it: save a state before, or restore one. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_equilibrium(vbgpd_model*, vbgpd_job** out);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_strength_reduction(vbgpd_model*, vbgpd_job** out);
 /* "srf_min", "srf_max", "srf_tolerance" (taken from the profile), "careful" (0 fast search then verification, 1 plain

@@ -62,7 +62,7 @@ const std::map<std::string, std::string> kExpected = {
     {"spacing_negative", "scene: spacing = -0.5 m: must be > 0"},
     {"spacing_zero", "scene: spacing = 0 m: must be > 0"},
     {"srf_range_reversed", "scene: srf_max = 1: must be greater than srf_min = 2"},
-    {"srf_tolerance_zero", "scene: srf_tolerance = 0: must be in (0, 0.5]"},
+    {"srf_tolerance_zero", "scene: srf_tolerance = 0: must be in [0.0001, 0.5]"},
     {"text_for_number", "text_for_number.json:10:14: spacing: expected a number, found the text \"0.5\""},
     {"trailing_comma", "trailing_comma.json:11:1: expected string constant, found }"},
     {"trailing_garbage", "trailing_garbage.json:12:1: expected end of file, found {"},
