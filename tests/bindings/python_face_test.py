@@ -165,6 +165,21 @@ class PythonFace(unittest.TestCase):
         model.write("pore_pressure", numpy.ones((n, 1)))
         self.assertTrue((model.field("pore_pressure") == 1).all())
 
+    def test_a_view_dropped_inside_a_call_ends_before_the_next_one(self):
+        model = vbgpd.Model(self.context, make_profile(self.context))
+        kept = [model.view("velocity").array]
+        worker = threading.Thread(target=lambda: model.sample_grid("stress", 0, 0, 0.04, 0.015, 1000, 1000))
+        worker.start()
+        while worker.is_alive() and kept:
+            try:
+                model.get("time")
+            except vbgpd.Error as busy:  # the other thread is in its call now
+                self.assertEqual(busy.status, vbgpd.Status.E_BUSY)
+                kept.clear()
+        worker.join()
+        self.assertFalse(kept)
+        self.assertEqual(model.step(1)[0], vbgpd.Status.OK)
+
     def test_a_job_holds_its_model(self):
         job = vbgpd.Job.equilibrium(vbgpd.Model(self.context, make_profile(self.context)))
         gc.collect()

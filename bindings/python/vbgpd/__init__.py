@@ -398,9 +398,14 @@ class Model(_Object):
         return View(self, field(name, self._library), self._library)
 
     def _call(self, function, *arguments):
-        for lease in self.__dict__.pop("_late", ()):  # of views dropped while another thread was in a call
-            self._c.vbgpd_model_view_release(self._handle, lease)
+        for lease in self.__dict__.pop("_late", ()):
+            self._end(lease)
         return super()._call(function, *arguments)
+
+    def _end(self, lease):
+        """Ends the lease of a view now, or before the next call where another thread is in one."""
+        if self._c.vbgpd_model_view_release(self._handle, lease) in (Status.E_BUSY, Status.E_REENTRANT):
+            self.__dict__.setdefault("_late", []).append(lease)
 
     def close(self):
         """Destroys the model; refused (E_LEASED) while arrays of its views are held."""

@@ -54,9 +54,7 @@ class _Lease:
     def end(self):
         if self.alive:
             self.alive = False
-            status = self._model._c.vbgpd_model_view_release(self._model.handle, self._lease)
-            if status in (_raw.VBGPD_E_BUSY, _raw.VBGPD_E_REENTRANT):
-                self._model.__dict__.setdefault("_late", []).append(self._lease)
+            self._model._end(self._lease)
 
     __del__ = end
 
