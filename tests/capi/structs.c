@@ -107,7 +107,7 @@ static void wrong_context_desc(void) {
   CHECK_STATUS(VBGPD_E_VERSION, vbgpd_context_create(&desc, &made));
   desc.abi_version = VBGPD_ABI_VERSION;
   desc.threads = 1025;
-  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_context_create(&desc, &context));
+  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_context_create(&desc, &made));
   desc.threads = -1;
   CHECK_STATUS(VBGPD_E_RANGE, vbgpd_context_create(&desc, &made));
   desc.threads = 0;
