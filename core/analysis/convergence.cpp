@@ -13,11 +13,11 @@ constexpr double kTwice = 1.8;  // "twice as coarse": lattices that fit key line
 
 double half_bracket(const Level& l) { return (l.srf_unstable - l.srf_stable) / 2; }
 
-/// The finest level at least twice as coarse as `than`, else the coarsest other one.
+/// The finest level at least twice as coarse as `than`, else the coarsest of all if that is coarser; may be null.
 const Level* coarser(std::span<const Level> levels, const Level& than) {
   for (auto l = levels.rbegin(); l != levels.rend(); ++l)
     if (spacing_of(*l) >= kTwice * spacing_of(than)) return &*l;
-  return nullptr;
+  return spacing_of(levels.front()) > spacing_of(than) ? &levels.front() : nullptr;
 }
 
 /// p such that (f1 - f2) / (f2 - f3) = (h1^p - h2^p) / (h2^p - h3^p) for h1 > h2 > h3; the right side grows with p.

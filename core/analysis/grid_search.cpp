@@ -159,6 +159,18 @@ void GridSearch::set_aside(const Trial& trial) {
   if (undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
 }
 
+/// The slope came to rest at a factor it was to flow at: a trial like any other.
+void GridSearch::stand(double factor, std::int64_t steps, double seconds, const RelaxReport& r) {
+  Trial trial;
+  trial.level = level_, trial.strength_reduction_factor = factor, trial.verdict = Verdict::kStable;
+  trial.unbalanced_force_ratio = r.unbalanced_force_ratio, trial.steps = steps;
+  trial.displacement_level = r.max_displacement / simulation_.displacement_scale();
+  trial.wall_seconds = seconds;
+  trials_.push_back(trial);
+  stable_ = factor, standing_ = simulation_.save();
+  progress_.trial = static_cast<int>(trials_.size()) - 1, progress_.srf_stable = stable_;
+}
+
 /// Overshoot and follow: let the slope flow a little above its factor of safety and read where the flow would just
 /// balance,
 ///   F_e = F (internal power / external power),
@@ -187,7 +199,9 @@ Slices GridSearch::overshoot(double& factor) {
   double best = 0, unbalanced = 1;
   std::vector<double> estimates;  // F_e after every window
   std::shared_ptr<SavedState> best_state;
-  int falls = 0;
+  const TrialRules rules;
+  Stopwatch watch;
+  int falls = 0, at_rest = 0;
   std::int64_t steps = 0, looked = 0;
   set_factor(factor);
   simulation_.halt();
@@ -195,7 +209,7 @@ Slices GridSearch::overshoot(double& factor) {
     factor = std::min(options_.srf_max, factor * times);
     set_factor(factor);
     simulation_.halt();
-    steps = looked = 0, best = 0, falls = 0, unbalanced = 1;
+    steps = looked = 0, best = 0, falls = at_rest = 0, unbalanced = 1, watch = Stopwatch();
     estimates.clear();
   };
   for (;;) {
@@ -204,9 +218,13 @@ Slices GridSearch::overshoot(double& factor) {
     progress_.unbalanced_force_ratio = r.unbalanced_force_ratio, progress_.max_displacement = r.max_displacement;
     if (r.diverged || steps > most) co_return;  // the careful way decides
     const double level = r.max_displacement / simulation_.displacement_scale();
-    if (r.unbalanced_force_ratio < 1e-5) {  // stands: a lower end for nothing
-      stable_ = factor, standing_ = simulation_.save();
-      progress_.srf_stable = stable_;
+    at_rest = r.unbalanced_force_ratio < rules.equilibrium ? at_rest + 1 : 0;
+    if (at_rest > 0 && at_rest < rules.equilibrium_windows) {
+      co_yield Pause{};
+      continue;
+    }
+    if (at_rest > 0) {  // a lower end for nothing
+      stand(factor, steps, watch.wall(), r);
       if (factor >= options_.srf_max) co_return;
       raise(steps < 2 * response_ ? 1.2 : 1.06);
       continue;

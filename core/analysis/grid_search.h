@@ -48,6 +48,7 @@ class GridSearch {
   void set_factor(double factor);
   double notched(double factor) const;
   double middle() const;
+  void stand(double factor, std::int64_t steps, double seconds, const RelaxReport& r);
   void end_below();
   void end_above();
   void set_aside(const Trial& trial);

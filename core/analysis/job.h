@@ -34,7 +34,7 @@ struct Trial {
   double strength_reduction_factor = 1;
   double unbalanced_force_ratio = 0, unbalanced_force_slope = 0;
   double displacement_level = 0, displacement_growth = 0;
-  double power_ratio = kNone;  ///< F_e = F (internal power / external power)
+  double power_ratio = kNone;  ///< F_e = F (internal power / external power); none at rest
   double unsteadiness = 0;     ///< how far F_e strayed from steady while the failure showed (RMS about a line)
   std::int64_t steps = 0;
   double wall_seconds = 0;

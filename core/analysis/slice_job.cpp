@@ -40,7 +40,10 @@ SliceJob::SliceJob(Simulation& simulation) : simulation_(simulation) {
 
 Status SliceJob::run(double wall_seconds, const Callback& callback) {
   if (finished_) return outcome_;
-  if (!started_) slices_ = analysis(), started_ = true;
+  if (!started_) {
+    check_options();
+    slices_ = analysis(), started_ = true;
+  }
   cancel_.store(false, std::memory_order_relaxed);
   const Stopwatch watch;
   Log* const log = simulation_.options().log.get();

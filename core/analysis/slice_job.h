@@ -24,6 +24,8 @@ class SliceJob : public Job {
  protected:
   /// The whole analysis as one coroutine; fills result_ and returns the final status through outcome_.
   virtual Slices analysis() = 0;
+  /// Before the first run: throws Error(kRange) for options that contradict each other; they can then be set again.
+  virtual void check_options() const {}
   double option(std::string_view name) const { return options_.at(std::string(name)); }
 
   Simulation& simulation_;

@@ -31,6 +31,7 @@ class StrengthReductionJob final : public SliceJob {
       }
       Simulation& simulation = other ? *other : simulation_;
       const std::shared_ptr<SavedState> before = other ? nullptr : simulation.save();
+      if (!other) simulation.start_over();  // as the other grids do, whatever the soil has been through
       progress_.level = static_cast<int>(n);
       progress_.srf_stable = progress_.srf_unstable = kNone;
       const std::int64_t steps = progress_.steps;
@@ -67,6 +68,15 @@ class StrengthReductionJob final : public SliceJob {
       break;
     }
     conclude();
+  }
+
+  void check_options() const override {
+    const double low = option("srf_min"), high = option("srf_max");
+    if (low < high) return;
+    Issue issue;
+    issue.status = Status::kRange, issue.object = ObjectKind::kJob, issue.value = high;
+    issue.text = "srf_max = " + number_text(high) + ": must be greater than srf_min = " + number_text(low);
+    throw Error(issue);
   }
 
   // ---- which grids ----

@@ -98,6 +98,7 @@ Slices TrialRun::run(Trial& trial, Progress& progress) {
     if (at_rest >= rules_.equilibrium_windows) {
       trial.verdict = Verdict::kStable;
       trial.unbalanced_force_slope = trial.displacement_growth = trial.unsteadiness = 0;
+      trial.power_ratio = kNone;  // nothing flows
       co_return;
     }
     // the third signal is looked at once the first two have held for a quarter of a response time more

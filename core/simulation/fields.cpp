@@ -21,7 +21,7 @@ constexpr FieldInfo kFields[] = {
     {"reference_position", "m", "position x, y in the undeformed section (centre of the lattice cell)", kParticle,
      kReal, 2},
     {"displacement", "m", "displacement x, y since creation", kParticle, kReal, 2},
-    {"velocity", "m s-1", "velocity x, y (per pseudo-time after a quasi-static job)", kParticle, kReal, 2, true},
+    {"velocity", "m s-1", "velocity x, y (per pseudo-time while a quasi-static job is under way)", kParticle, kReal, 2, true},
     {"stress", "Pa", "Cauchy stress xx, yy, zz, xy, tension positive; effective where there is pore pressure",
      kParticle, kReal, 4},
     {"plastic_strain", "1", "engineering plastic shear strain sqrt(2 e:e), average of the bonds", kParticle, kReal, 1},

@@ -177,6 +177,12 @@ void LatticeSimulation::halt() {
   since_restart_ = 0;
 }
 
+void LatticeSimulation::start_over() {
+  audit_.valid = false;
+  State::for_each_array(state_, [](const char*, Array& a) { a.fill_zero(); });
+  since_restart_ = 0;
+}
+
 RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& options) {
   audit_.valid = false;
   const Workers::Session session(workers_);

@@ -26,6 +26,7 @@ class LatticeSimulation final : public Simulation {
   Monitors monitors_after(const StepReport& steps) const override;
   RelaxReport relax(std::int64_t steps, const RelaxOptions& options) override;
   void halt() override;
+  void start_over() override;
   std::shared_ptr<SavedState> save() const override;
   void restore(const SavedState& saved) override;
   Real displacement_scale() const override { return model_.stress_scale * model_.height / model_.stiffness; }

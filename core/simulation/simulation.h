@@ -180,6 +180,8 @@ class Simulation {
   /// Takes the soil of layers away or places it; the other soil keeps its state. Throws Error(kArgument) when no soil
   /// would be left; whatever it throws, nothing has changed.
   virtual void set_layers(const Layers& layers);
+  /// Soil that has never moved nor yielded, at rest; layers, drive, pressures and forces stay as they are.
+  virtual void start_over();
   /// Force of the wall particles of a boundary on the soil, N per metre run.
   virtual Vec2 boundary_reaction(std::size_t boundary) const;
   /// A field in storage order; "particle_id" tells which particle an item is, -1 = padding.

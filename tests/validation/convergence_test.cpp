@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "analysis/job.h"
+#include "analysis/trial.h"
 #include "exchange/scene_buffer.h"
 #include "exchange/scene_text.h"
 
@@ -95,6 +96,31 @@ TEST(Budget, TooSmallForAnyGridGivesNoValue) {
   EXPECT_EQ(r.job->result().status, "NOT_CONVERGED");
   EXPECT_TRUE(std::isnan(r.job->result().factor_of_safety));
   EXPECT_NE(r.job->result().reason.find("budget ended within grid 1"), std::string::npos) << r.job->result().reason;
+}
+
+TEST(StrengthReduction, OfTheSameModelAgainGivesTheSameBits) {
+  const Solved first = solve(vertical_cut(1.25), {});
+  const std::uint64_t failing = first.simulation->state_hash();
+  first.simulation->step(20, nullptr);
+  const auto again = make_strength_reduction(*first.simulation);
+  EXPECT_EQ(again->run(0, {}), Status::kOk);
+  EXPECT_EQ(again->result().factor_of_safety, first.job->result().factor_of_safety);
+  EXPECT_EQ(again->result().steps, first.job->result().steps);
+  EXPECT_EQ(first.simulation->state_hash(), failing);
+}
+
+TEST(StrengthReduction, ShowsTheLowerEndAsATrial) {
+  // the highest factor asked stands: found on the way to a flow, by the rules of every other trial
+  const Solved r = solve(vertical_cut(1.25), {{"levels", 1}, {"srf_max", 0.8}});
+  EXPECT_EQ(r.job->result().status, "ABOVE_MAX") << r.job->result().reason;
+  ASSERT_FALSE(r.job->result().trials.empty());
+  const Trial& last = r.job->result().trials.back();
+  EXPECT_EQ(last.verdict, Verdict::kStable);
+  EXPECT_EQ(last.strength_reduction_factor, 0.8);
+  EXPECT_EQ(last.strength_reduction_factor, r.job->result().srf_stable);
+  EXPECT_LT(last.unbalanced_force_ratio, TrialRules{}.equilibrium);
+  EXPECT_GT(last.steps, 10 * TrialRules{}.equilibrium_windows);
+  EXPECT_TRUE(std::isnan(last.power_ratio));
 }
 
 TEST(Levels, EachIsReportedWithWhatItCostAndWhatItSays) {

@@ -331,7 +331,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_runout(vbgpd_model*, vbgpd_jo
 
 /* ---- jobs: long analyses in slices ------------------------------------------------------------------------- */
 /* A job works on the model it was made for; while a slice runs that model answers VBGPD_E_BUSY to other threads and
- * VBGPD_E_REENTRANT to the job's own callback. When a strength reduction has ended the model is left in the failing state of
+ * VBGPD_E_REENTRANT to the job's own callback. A strength reduction takes layers, kh, kv, loads, pressures and forces as they
+ * are and begins on every grid with soil that has never moved: a second one of the same model gives the same bits; a state worth
+ * keeping is saved before. When it has ended the model is left in the failing state of
  * the grid with the profile's spacing, so that its fields show the mechanism; it is the finest one unless a target or a budget
  * went on to finer ones, or ended before it (then the model is as it was). Without a bracket it stands still in the last trial on
  * that grid, or where that diverged as it was. A job destroyed under way leaves what its last slice left, velocities of the
@@ -369,7 +371,7 @@ typedef struct vbgpd_trial {
   uint32_t struct_size;
   int32_t level;                    /* which grid, 0 = coarsest */
   int32_t verdict;                  /* VBGPD_VERDICT_* */
-  int32_t band_connected;           /* 1: yielding bonds join the ground surface to the ground surface */
+  int32_t band_connected;           /* 1: yielding bonds join two places of the outline of the soil */
   double strength_reduction_factor;
   double unbalanced_force_ratio;    /* at the end: sum |f| / sum m g */
   double unbalanced_force_slope;    /* change of its logarithm over the last look; about 0 = plateau */

@@ -96,6 +96,14 @@ TEST(Estimate, ExtrapolatesOverAThirdOfTheSpacingToo) {
   EXPECT_NEAR(e.value, 1.3, 1e-12);
 }
 
+TEST(Estimate, OfTwoGridsNotTwiceApartIsExtrapolatedAsWell) {
+  const Estimate e = estimate(exact(1, {1, 2. / 3}), {});
+  EXPECT_NEAR(e.value, 1.3, 1e-12);
+  EXPECT_TRUE(e.discretisation);
+  // half of the 0.2 * 2 / 3 extrapolated; the brackets enter magnified by 1 / (1.5 - 1)
+  EXPECT_NEAR(e.error, 0.2 / 3 + (3 + 2) * 0.001, 1e-12);
+}
+
 TEST(Estimate, IsNotExtrapolatedWhereTheOrderIsNotOne) {
   const Estimate e = estimate(exact(3, {1, 0.5, 0.25}), {});
   EXPECT_EQ(e.status, "NOT_FIRST_ORDER");

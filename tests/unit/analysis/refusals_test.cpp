@@ -30,5 +30,22 @@ TEST(StrengthReduction, RefusesTheLawsThatAreForComparisonInARunoutOnly) {
   }
 }
 
+TEST(StrengthReduction, RefusesARangeUpsideDownAndTakesARightOneAfterwards) {
+  const auto simulation = Simulation::compile(test::slope(test::soil("mohr_coulomb", 10e3, 20), 2), {});
+  const auto job = make_strength_reduction(*simulation);
+  job->set("srf_min", 3);
+  job->set("srf_max", 2);
+  try {
+    job->run(0, {});
+    ADD_FAILURE() << "ran";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.issue().status, Status::kRange);
+    EXPECT_EQ(error.issue().object, ObjectKind::kJob);
+    EXPECT_EQ(std::string(error.what()), "srf_max = 2: must be greater than srf_min = 3");
+  }
+  job->set("srf_min", 0.5);
+  EXPECT_EQ(job->run(0, {}), Status::kOk);
+}
+
 }  // namespace
 }  // namespace vbgpd
