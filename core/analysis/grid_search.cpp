@@ -9,7 +9,6 @@ namespace vbgpd {
 
 namespace {
 
-constexpr std::int64_t kWindow = 10;
 constexpr double kNotch =
     0.25;  // trial factors are multiples of this share of the tolerance: the same for every unit and side
 

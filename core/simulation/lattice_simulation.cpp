@@ -220,6 +220,7 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
   }
   r.since_restart = since_restart_;
   r.unbalanced_force_ratio = unbalanced_force_ratio(sums);
+  r.external_power = sums.external_power;
   r.power_ratio = sums.external_power != 0 ? 1 - sums.power / sums.external_power : 0;
   r.velocity = std::sqrt(sums.velocity2);
   r.max_displacement = std::sqrt(sums.displacement2);

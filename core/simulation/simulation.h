@@ -110,6 +110,7 @@ struct RelaxReport {
   std::int64_t since_restart = 0;   ///< steps since the momentum was last dropped
   Real unbalanced_force_ratio = 0;  ///< sum |f| / sum |f_ext| of the last step
   Real power_ratio = 0;             ///< 1 - sum f.v / sum f_ext.v of the last step: internal over external power
+  Real external_power = 0;          ///< sum f_ext.v of the last step, per pseudo-time
   Real velocity = 0;                ///< max |v|, per pseudo-time
   Real max_displacement = 0;
   bool diverged = false;
