@@ -41,6 +41,7 @@ contains
     class(vbgpd_profile), intent(in) :: profile
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(c_ptr) :: fresh
     integer(c_int32_t) :: status, ignored
     fresh = c_null_ptr
@@ -49,16 +50,19 @@ contains
       ignored = vbgpd_model_destroy(self%handle)
       self%handle = fresh
     end if
-    call conclude(status, vbgpd_context_error, context%handle, stat, errmsg)
+    call conclude(status, vbgpd_context_error, context%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine create
 
   subroutine destroy(self, stat, errmsg)
     class(vbgpd_base_model), intent(inout) :: self
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int32_t) :: status
     status = vbgpd_model_destroy(self%handle)
-    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
     if (status >= 0) self%handle = c_null_ptr
   end subroutine destroy
 
@@ -68,8 +72,10 @@ contains
     real(c_double), intent(in) :: value
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_model_set_f64(self%handle, name, len_trim(name, c_int64_t), value), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine set_number
 
   subroutine get_number(self, name, value, stat, errmsg)
@@ -78,8 +84,10 @@ contains
     real(c_double), intent(inout) :: value
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_model_get_f64(self%handle, name, len_trim(name, c_int64_t), value), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine get_number
 
   ! Feature i from 0, used or left out; stat VBGPD_END_OF_DATA past the last. vbgpd_text(record%name) is its name.
@@ -89,7 +97,9 @@ contains
     type(vbgpd_feature), intent(inout) :: record
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_plan(self%handle, i, record), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_plan(self%handle, i, record), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine plan
 
   ! The bytes of the model by what they are for.
@@ -98,7 +108,9 @@ contains
     type(vbgpd_memory), intent(inout) :: record
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_memory(self%handle, record), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_memory(self%handle, record), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine memory
 
   ! Explicit dynamic steps with true masses at the stable time step.
@@ -108,7 +120,9 @@ contains
     type(vbgpd_advance_result), intent(inout), optional :: report
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_step(self%handle, steps, report), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_step(self%handle, steps, report), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine step
 
   ! To an exact time, in slices where wall_seconds are given. stat: VBGPD_OK there, VBGPD_LIMIT_REACHED or VBGPD_CANCELLED
@@ -121,6 +135,7 @@ contains
     type(vbgpd_advance_result), intent(inout), optional :: report
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(listener), target :: user
     type(c_funptr) :: teller
     real(c_double) :: limit
@@ -132,7 +147,8 @@ contains
       teller = c_funloc(tell)
     end if
     call conclude(vbgpd_model_advance_to(self%handle, time, limit, teller, c_loc(user), report), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine advance_to
 
   ! Grows whenever particles are added, removed or stored in another order.
@@ -141,14 +157,18 @@ contains
     integer(c_int64_t), intent(inout) :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_epoch(self%handle, n), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_epoch(self%handle, n), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine epoch
 
   subroutine cancel(self, stat, errmsg)
     class(vbgpd_base_model), intent(in) :: self
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_cancel(self%handle), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_cancel(self%handle), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine cancel
 
   ! location: VBGPD_AT_PARTICLE or VBGPD_AT_BOND.
@@ -158,7 +178,9 @@ contains
     integer(c_int64_t), intent(inout) :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_item_count(self%handle, location, n), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_item_count(self%handle, location, n), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine item_count
 
   ! read(field, values): values(component, item), or values(item) of a field with one component; any section of an
@@ -170,12 +192,17 @@ contains
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    if (.not. find_field(field, size(values, 1), id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_items(values)
     call conclude(vbgpd_model_read_f64(self%handle, id, view%first, view%row, view%column, view%n, n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine read_f64_rows
 
   subroutine read_f64_column(self, field, values, n, stat, errmsg)
@@ -185,12 +212,17 @@ contains
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    if (.not. find_field(field, 1, id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_values(values)
     call conclude(vbgpd_model_read_f64(self%handle, id, view%first, view%row, view%column, view%n, n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine read_f64_column
 
   subroutine read_i64_rows(self, field, values, n, stat, errmsg)
@@ -200,10 +232,14 @@ contains
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int64_t) :: row, column
     integer(c_int32_t) :: id
     type(c_ptr) :: first
-    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    if (.not. find_field(field, size(values, 1), id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     row = 0
     column = 0
     first = c_null_ptr
@@ -211,7 +247,8 @@ contains
     if (size(values) > 0 .and. size(values, 2) > 1) row = byte_distance(first, c_loc(values(1, 2)))
     if (size(values) > 0 .and. size(values, 1) > 1) column = byte_distance(first, c_loc(values(2, 1)))
     call conclude(vbgpd_model_read_i64(self%handle, id, first, row, column, size(values, 2, c_int64_t), n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine read_i64_rows
 
   subroutine read_i64_column(self, field, values, n, stat, errmsg)
@@ -221,16 +258,21 @@ contains
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int64_t) :: row
     integer(c_int32_t) :: id
     type(c_ptr) :: first
-    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    if (.not. find_field(field, 1, id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     row = 0
     first = c_null_ptr
     if (size(values) > 0) first = c_loc(values(1))
     if (size(values) > 1) row = byte_distance(first, c_loc(values(2)))
     call conclude(vbgpd_model_read_i64(self%handle, id, first, row, 0_c_int64_t, size(values, kind=c_int64_t), n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine read_i64_column
 
   ! The 64 bits of the hash; as an unsigned number they may be beyond huge(hash).
@@ -239,7 +281,9 @@ contains
     integer(c_int64_t), intent(inout) :: hash
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_state_hash(self%handle, hash), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_state_hash(self%handle, hash), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine state_hash
 
   ! The last failure on this object; stat VBGPD_END_OF_DATA when there was none.

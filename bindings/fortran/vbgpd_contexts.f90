@@ -29,6 +29,7 @@ contains
     integer(c_int64_t), intent(in), optional :: max_particles
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int64_t), intent(in), optional :: max_bytes
     type(vbgpd_context_desc) :: desc
     type(c_ptr) :: fresh
@@ -44,7 +45,8 @@ contains
       call refuse(status, "The context could not be created: " // vbgpd_status_text(status) // &
                   ". threads, max_particles and max_bytes must be 0 or more, and the library of ABI version " // &
                   number_text(int(VBGPD_HEADER_ABI_VERSION, c_int64_t)) // "; it has " // &
-                  number_text(int(vbgpd_abi_version(), c_int64_t)) // ".", stat, errmsg)
+                  number_text(int(vbgpd_abi_version(), c_int64_t)) // ".", stat, failure)
+      if (present(errmsg) .and. allocated(failure)) errmsg = failure
       return
     end if
     ignored = vbgpd_context_destroy(self%handle)
@@ -57,9 +59,11 @@ contains
     class(vbgpd_context), intent(inout) :: self
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int32_t) :: status
     status = vbgpd_context_destroy(self%handle)
-    call conclude(status, vbgpd_context_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_context_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
     if (status < 0) return
     self%handle = c_null_ptr
     if (associated(self%hearer)) deallocate (self%hearer)
@@ -82,6 +86,7 @@ contains
     character(:), allocatable, intent(out) :: text
     integer(c_int32_t), intent(out) :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     character(248) :: buffer
     integer(c_int64_t) :: needed
     integer(c_int32_t) :: status
@@ -89,7 +94,8 @@ contains
     text = ""
     status = vbgpd_context_log_next(self%handle, after, line, buffer, len(buffer, c_int64_t), needed)
     if (status == VBGPD_OK) text = buffer(:needed)
-    call conclude(status, vbgpd_context_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_context_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine log_next
 
   ! hear is told every line of that level and below, within the call that says it; without hear nobody is any more.
@@ -99,6 +105,7 @@ contains
     integer(c_int32_t), intent(in), optional :: level
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(log_hearer), pointer :: fresh
     type(c_funptr) :: teller
     type(c_ptr) :: user
@@ -121,7 +128,8 @@ contains
     else if (associated(fresh)) then
       deallocate (fresh)
     end if
-    call conclude(status, vbgpd_context_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_context_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine set_log
 
   subroutine copy(self, other)

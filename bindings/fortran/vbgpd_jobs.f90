@@ -35,12 +35,14 @@ contains
     class(vbgpd_base_model), intent(in) :: model
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(c_ptr) :: fresh
     integer(c_int32_t) :: status
     fresh = c_null_ptr
     status = vbgpd_job_create_equilibrium(model%handle, fresh)
     call adopt(self, fresh, status)
-    call conclude(status, vbgpd_model_error, model%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, model%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine create_equilibrium
 
   subroutine create_strength_reduction(self, model, stat, errmsg)
@@ -48,12 +50,14 @@ contains
     class(vbgpd_base_model), intent(in) :: model
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(c_ptr) :: fresh
     integer(c_int32_t) :: status
     fresh = c_null_ptr
     status = vbgpd_job_create_strength_reduction(model%handle, fresh)
     call adopt(self, fresh, status)
-    call conclude(status, vbgpd_model_error, model%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, model%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine create_strength_reduction
 
   ! The model must be a run-out model (create_runout of vbgpd_model).
@@ -62,12 +66,14 @@ contains
     class(vbgpd_base_model), intent(in) :: model
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(c_ptr) :: fresh
     integer(c_int32_t) :: status
     fresh = c_null_ptr
     status = vbgpd_job_create_runout(model%handle, fresh)
     call adopt(self, fresh, status)
-    call conclude(status, vbgpd_model_error, model%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, model%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine create_runout
 
   subroutine adopt(self, fresh, status)
@@ -84,9 +90,11 @@ contains
     class(vbgpd_job), intent(inout) :: self
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int32_t) :: status
     status = vbgpd_job_destroy(self%handle)
-    call conclude(status, vbgpd_job_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_job_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
     if (status >= 0) self%handle = c_null_ptr
   end subroutine destroy
 
@@ -96,8 +104,10 @@ contains
     real(c_double), intent(in) :: value
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_job_set_f64(self%handle, name, len_trim(name, c_int64_t), value), &
-                  vbgpd_job_error, self%handle, stat, errmsg)
+                  vbgpd_job_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine set_number
 
   ! Without wall_seconds to the end. stat: VBGPD_OK finished, VBGPD_LIMIT_REACHED or VBGPD_CANCELLED call again,
@@ -109,6 +119,7 @@ contains
     type(vbgpd_progress), intent(inout), optional :: progress
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(listener), target :: user
     type(c_funptr) :: teller
     real(c_double) :: limit
@@ -120,14 +131,17 @@ contains
       teller = c_funloc(tell)
     end if
     call conclude(vbgpd_job_run(self%handle, limit, teller, c_loc(user), progress), &
-                  vbgpd_job_error, self%handle, stat, errmsg)
+                  vbgpd_job_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine run
 
   subroutine cancel(self, stat, errmsg)
     class(vbgpd_job), intent(in) :: self
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_job_cancel(self%handle), vbgpd_job_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_job_cancel(self%handle), vbgpd_job_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine cancel
 
   subroutine get_number(self, name, value, stat, errmsg)
@@ -136,8 +150,10 @@ contains
     real(c_double), intent(inout) :: value
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_job_get_f64(self%handle, name, len_trim(name, c_int64_t), value), &
-                  vbgpd_job_error, self%handle, stat, errmsg)
+                  vbgpd_job_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine get_number
 
   subroutine get_text(self, name, value, stat, errmsg)
@@ -146,6 +162,7 @@ contains
     character(:), allocatable, intent(inout) :: value
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     character(:), allocatable :: buffer
     integer(c_int64_t) :: needed, length
     integer(c_int32_t) :: status
@@ -157,7 +174,8 @@ contains
       status = vbgpd_job_get_text(self%handle, name, length, buffer, needed + 1)
       if (status == VBGPD_OK) value = buffer(:needed)
     end if
-    call conclude(status, vbgpd_job_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_job_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine get_text
 
   ! Trial i, from 0, in the order they were made; stat VBGPD_END_OF_DATA past the last.
@@ -167,7 +185,9 @@ contains
     type(vbgpd_trial), intent(inout) :: record
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_job_trial(self%handle, i, record), vbgpd_job_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_job_trial(self%handle, i, record), vbgpd_job_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine trial
 
   ! Grid i, 0 = coarsest; stat VBGPD_END_OF_DATA past the last.
@@ -177,7 +197,9 @@ contains
     type(vbgpd_level), intent(inout) :: record
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_job_level(self%handle, i, record), vbgpd_job_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_job_level(self%handle, i, record), vbgpd_job_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine level
 
   ! xy(2, n) from left to right; no points when there is none.
@@ -186,6 +208,7 @@ contains
     real(c_double), allocatable, target, intent(inout) :: xy(:, :)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int64_t) :: n
     integer(c_int32_t) :: status
     n = 0
@@ -195,7 +218,8 @@ contains
       allocate (xy(2, n))
       if (n > 0) status = vbgpd_job_slip_surface(self%handle, c_loc(xy), 16_c_int64_t, n, n)
     end if
-    call conclude(status, vbgpd_job_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_job_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine slip_surface
 
   ! The last failure on this object; stat VBGPD_END_OF_DATA when there was none.

@@ -56,7 +56,9 @@ contains
     type(vbgpd_state), intent(inout) :: state
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_save_state(self%handle, state%handle), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_save_state(self%handle, state%handle), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine save
 
   subroutine restore(self, state, stat, errmsg)
@@ -64,7 +66,9 @@ contains
     type(vbgpd_state), intent(in) :: state
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_restore_state(self%handle, state%handle), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_restore_state(self%handle, state%handle), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine restore
 
   ! The model with its profile as bytes, for a file (access="stream") or another process.
@@ -75,6 +79,7 @@ contains
     integer(c_int32_t) :: status
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     needed = 0
     status = vbgpd_model_checkpoint(self%handle, c_null_ptr, 0_c_int64_t, needed)
     if (status >= 0) then
@@ -82,7 +87,8 @@ contains
       allocate (bytes(needed))
       status = vbgpd_model_checkpoint(self%handle, c_loc(bytes), needed, needed)
     end if
-    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine checkpoint
 
   ! What can be seen of the model, as the bytes of a flatbuffer (snapshot.fbs) for other programs.
@@ -93,6 +99,7 @@ contains
     integer(c_int32_t) :: status
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     needed = 0
     status = vbgpd_model_snapshot(self%handle, c_null_ptr, 0_c_int64_t, needed)
     if (status >= 0) then
@@ -100,7 +107,8 @@ contains
       allocate (bytes(needed))
       status = vbgpd_model_snapshot(self%handle, c_loc(bytes), needed, needed)
     end if
-    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine snapshot
 
   subroutine create_from_checkpoint(self, context, bytes, stat, errmsg)
@@ -109,6 +117,7 @@ contains
     integer(c_int8_t), target, contiguous, intent(in) :: bytes(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(c_ptr) :: fresh
     integer(c_int32_t) :: status, ignored
     fresh = c_null_ptr
@@ -117,7 +126,8 @@ contains
       ignored = vbgpd_model_destroy(self%handle)
       self%handle = fresh
     end if
-    call conclude(status, vbgpd_context_error, context%handle, stat, errmsg)
+    call conclude(status, vbgpd_context_error, context%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine create_from_checkpoint
 
   ! Goes on from the present state of another model in updated-Lagrangian form; that one is not changed.
@@ -126,11 +136,13 @@ contains
     class(vbgpd_model), intent(in) :: from
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(c_ptr) :: fresh
     integer(c_int32_t) :: status, ignored
     fresh = c_null_ptr
     status = vbgpd_model_create_runout(from%handle, fresh)
-    call conclude(status, vbgpd_model_error, from%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, from%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
     if (status < 0) return
     ignored = vbgpd_model_destroy(self%handle)
     self%handle = fresh
@@ -141,8 +153,10 @@ contains
     integer(c_int8_t), target, contiguous, intent(in) :: bytes(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_model_restore_checkpoint(self%handle, c_loc(bytes), size(bytes, kind=c_int64_t)), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine restore_checkpoint
 
   ! What happened with a sequence above `after`, oldest first.
@@ -152,6 +166,7 @@ contains
     type(vbgpd_event), allocatable, target, intent(inout) :: list(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int64_t) :: n
     integer(c_int32_t) :: status
     n = 0
@@ -161,7 +176,8 @@ contains
       allocate (list(n))
       if (n > 0) status = vbgpd_model_events_read(self%handle, after, c_loc(list), int(list(1)%struct_size, c_int64_t), n, n)
     end if
-    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine events
 
   ! The ids of the selected particles.
@@ -173,6 +189,7 @@ contains
     integer(c_int32_t) :: status
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     n = 0
     status = vbgpd_model_select(self%handle, where, c_null_ptr, 8_c_int64_t, 0_c_int64_t, n)
     if (status >= 0) then
@@ -180,7 +197,8 @@ contains
       allocate (ids(n))
       if (n > 0) status = vbgpd_model_select(self%handle, where, c_loc(ids), 8_c_int64_t, n, n)
     end if
-    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine select
 
   ! read_selected(field, where, values): as read, of the selected particles.
@@ -192,12 +210,17 @@ contains
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    if (.not. find_field(field, size(values, 1), id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_items(values)
     call conclude(vbgpd_model_read_selected_f64(self%handle, id, where, view%first, view%row, view%column, view%n, n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine selected_f64_rows
 
   subroutine selected_f64_column(self, field, where, values, n, stat, errmsg)
@@ -208,12 +231,17 @@ contains
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    if (.not. find_field(field, 1, id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_values(values)
     call conclude(vbgpd_model_read_selected_f64(self%handle, id, where, view%first, view%row, view%column, view%n, n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine selected_f64_column
 
   subroutine selected_i64_column(self, field, where, values, n, stat, errmsg)
@@ -224,14 +252,19 @@ contains
     integer(c_int64_t), intent(inout), optional :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    if (.not. find_field(field, 1, id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view%n = size(values, kind=c_int64_t)
     if (view%n > 0) view%first = c_loc(values(1))
     if (view%n > 1) view%row = byte_distance(view%first, c_loc(values(2)))
     call conclude(vbgpd_model_read_selected_i64(self%handle, id, where, view%first, view%row, view%column, view%n, n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine selected_i64_column
 
   ! values(component, place) of a field at xy(2, place); NaN, and inside 0, where no soil is.
@@ -243,19 +276,33 @@ contains
     integer(c_int64_t), intent(inout), optional, target :: inside(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(point_view), target :: places
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
-    if (.not. accept_points(xy, places, stat, errmsg)) return
-    if (.not. as_many(size(values, 2, c_int64_t), places%n, stat, errmsg)) return
+    if (.not. find_field(field, size(values, 1), id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
+    if (.not. accept_points(xy, places, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
+    if (.not. as_many(size(values, 2, c_int64_t), places%n, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_items(values)
     if (present(inside)) then
-      if (.not. as_many(size(inside, kind=c_int64_t), view%n, stat, errmsg)) return
+      if (.not. as_many(size(inside, kind=c_int64_t), view%n, stat, failure)) then
+        if (present(errmsg)) errmsg = failure
+        return
+      end if
     end if
     call conclude(vbgpd_model_sample_points(self%handle, id, places%address, places%stride, places%n, view%first, &
                                             view%row, view%column, first_mark(inside), mark_stride(inside)), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine sample
 
   ! As many places at equal distances as values(component, place) has.
@@ -267,16 +314,24 @@ contains
     integer(c_int64_t), intent(inout), optional, target :: inside(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    if (.not. find_field(field, size(values, 1), id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_items(values)
     if (present(inside)) then
-      if (.not. as_many(size(inside, kind=c_int64_t), view%n, stat, errmsg)) return
+      if (.not. as_many(size(inside, kind=c_int64_t), view%n, stat, failure)) then
+        if (present(errmsg)) errmsg = failure
+        return
+      end if
     end if
     call conclude(vbgpd_model_sample_line(self%handle, id, from(1), from(2), to(1), to(2), view%n, view%first, view%row, &
                                           view%column, first_mark(inside), mark_stride(inside)), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine sample_line
 
   ! values(component, nx*ny), x runs first.
@@ -289,17 +344,28 @@ contains
     integer(c_int64_t), intent(inout), optional, target :: inside(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
-    if (.not. as_many(size(values, 2, c_int64_t), nx*ny, stat, errmsg)) return
+    if (.not. find_field(field, size(values, 1), id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
+    if (.not. as_many(size(values, 2, c_int64_t), nx*ny, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_items(values)
     if (present(inside)) then
-      if (.not. as_many(size(inside, kind=c_int64_t), view%n, stat, errmsg)) return
+      if (.not. as_many(size(inside, kind=c_int64_t), view%n, stat, failure)) then
+        if (present(errmsg)) errmsg = failure
+        return
+      end if
     end if
     call conclude(vbgpd_model_sample_grid(self%handle, id, origin(1), origin(2), step(1), step(2), nx, ny, view%first, &
                                           view%row, view%column, first_mark(inside), mark_stride(inside)), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine sample_grid
 
   ! The ground surface in its present shape: xy(2, n), left to right.
@@ -310,6 +376,7 @@ contains
     integer(c_int32_t) :: status
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     n = 0
     status = vbgpd_model_ground_surface(self%handle, c_null_ptr, 16_c_int64_t, 0_c_int64_t, n)
     if (status >= 0) then
@@ -317,7 +384,8 @@ contains
       allocate (xy(2, n))
       if (n > 0) status = vbgpd_model_ground_surface(self%handle, c_loc(xy), 16_c_int64_t, n, n)
     end if
-    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine ground_surface
 
   ! The components of a real field where they are stored, padding included (particle_id says which item is which
@@ -330,24 +398,30 @@ contains
     real(c_double), pointer, intent(out), optional :: second(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(vbgpd_view) :: lent
     integer(c_int32_t) :: id, status
     nullify (first)
     if (present(second)) nullify (second)
     lease = 0
-    if (.not. find_field(field, merge(2, 1, present(second)), id, stat, errmsg)) return
+    if (.not. find_field(field, merge(2, 1, present(second)), id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     status = vbgpd_model_view_acquire(self%handle, id, lent)
     if (status >= 0) then
       if (lent%type /= VBGPD_TYPE_F64) then
         status = vbgpd_model_view_release(self%handle, lent%lease)
-        call refuse(VBGPD_E_UNSUPPORTED, "The field '" // field // "' is not of real numbers.", stat, errmsg)
+        call refuse(VBGPD_E_UNSUPPORTED, "The field '" // field // "' is not of real numbers.", stat, failure)
+        if (present(errmsg) .and. allocated(failure)) errmsg = failure
         return
       end if
       lease = lent%lease
       first => items_of(lent, 0_c_int64_t)
       if (present(second)) second => items_of(lent, lent%stride_component)
     end if
-    call conclude(status, vbgpd_model_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine view
 
   subroutine release(self, lease, stat, errmsg)
@@ -355,7 +429,9 @@ contains
     integer(c_int64_t), intent(in) :: lease
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_model_view_release(self%handle, lease), vbgpd_model_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_model_view_release(self%handle, lease), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine release
 
   ! write(field, values): of all particles by id, or of those selected.
@@ -366,12 +442,17 @@ contains
     type(vbgpd_selection), intent(in), optional :: where
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    if (.not. find_field(field, 1, id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_values(values)
     call conclude(vbgpd_model_write_f64(self%handle, id, where, view%first, view%row, view%column, view%n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine write_column
 
   ! Values known at xy(2, n), brought to all particles.
@@ -382,15 +463,26 @@ contains
     real(c_double), intent(in), target :: values(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(point_view), target :: places
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, 1, id, stat, errmsg)) return
-    if (.not. accept_points(xy, places, stat, errmsg)) return
+    if (.not. find_field(field, 1, id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
+    if (.not. accept_points(xy, places, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_values(values)
-    if (.not. as_many(view%n, places%n, stat, errmsg)) return
+    if (.not. as_many(view%n, places%n, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     call conclude(vbgpd_model_write_points(self%handle, id, places%address, places%stride, view%first, view%row, &
-                                           view%column, places%n), vbgpd_model_error, self%handle, stat, errmsg)
+                                           view%column, places%n), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine write_points_column
 
   subroutine write_rows(self, field, values, where, stat, errmsg)
@@ -400,12 +492,17 @@ contains
     type(vbgpd_selection), intent(in), optional :: where
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
+    if (.not. find_field(field, size(values, 1), id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_items(values)
     call conclude(vbgpd_model_write_f64(self%handle, id, where, view%first, view%row, view%column, view%n), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine write_rows
 
   subroutine write_points_rows(self, field, xy, values, stat, errmsg)
@@ -415,15 +512,26 @@ contains
     real(c_double), intent(in), target :: values(:, :)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(point_view), target :: places
     type(item_view) :: view
     integer(c_int32_t) :: id
-    if (.not. find_field(field, size(values, 1), id, stat, errmsg)) return
-    if (.not. accept_points(xy, places, stat, errmsg)) return
+    if (.not. find_field(field, size(values, 1), id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
+    if (.not. accept_points(xy, places, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     view = view_of_items(values)
-    if (.not. as_many(view%n, places%n, stat, errmsg)) return
+    if (.not. as_many(view%n, places%n, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     call conclude(vbgpd_model_write_points(self%handle, id, places%address, places%stride, view%first, view%row, &
-                                           view%column, places%n), vbgpd_model_error, self%handle, stat, errmsg)
+                                           view%column, places%n), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine write_points_rows
 
   ! values(nx, ny) at origin + [i, j]*step; NaN = no value.
@@ -434,13 +542,18 @@ contains
     real(c_double), intent(in) :: values(:, :)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     real(c_double), allocatable, target :: packed(:, :)
     integer(c_int32_t) :: id
-    if (.not. find_field(field, 1, id, stat, errmsg)) return
+    if (.not. find_field(field, 1, id, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     packed = values
     call conclude(vbgpd_model_write_grid(self%handle, id, origin(1), origin(2), step(1), step(2), &
                                          size(values, 1, c_int64_t), size(values, 2, c_int64_t), c_loc(packed), &
-                                         8_c_int64_t), vbgpd_model_error, self%handle, stat, errmsg)
+                                         8_c_int64_t), vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine write_grid
 
   subroutine set_load(self, load, pressure, pressure_end, stat, errmsg)
@@ -451,10 +564,12 @@ contains
     real(c_double) :: at_end
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     at_end = pressure
     if (present(pressure_end)) at_end = pressure_end
     call conclude(vbgpd_model_set_load(self%handle, load, pressure, at_end), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine set_load
 
   subroutine set_boundary_velocity(self, boundary, velocity, stat, errmsg)
@@ -463,8 +578,10 @@ contains
     real(c_double), intent(in) :: velocity(2)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_model_set_boundary_velocity(self%handle, boundary, velocity(1), velocity(2)), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine set_boundary_velocity
 
   ! Excavation (.false.) and fill (.true.).
@@ -474,8 +591,10 @@ contains
     logical, intent(in) :: active
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_model_set_layer_active(self%handle, layer, merge(1_c_int32_t, 0_c_int32_t, active)), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine set_layer_active
 
   subroutine boundary_reaction(self, boundary, force, stat, errmsg)
@@ -484,18 +603,20 @@ contains
     real(c_double), intent(inout) :: force(2)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_model_boundary_reaction(self%handle, boundary, force(1), force(2)), &
-                  vbgpd_model_error, self%handle, stat, errmsg)
+                  vbgpd_model_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine boundary_reaction
 
-  function as_many(given, needed, stat, errmsg) result(fits)
+  function as_many(given, needed, stat, failure) result(fits)
     integer(c_int64_t), intent(in) :: given, needed
     integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable, intent(inout) :: failure
     logical :: fits
     fits = given == needed
     if (.not. fits) call refuse(VBGPD_E_ARGUMENT, "There are values for " // number_text(given) // " places; there are " // &
-                                number_text(needed) // " places.", stat, errmsg)
+                                number_text(needed) // " places.", stat, failure)
   end function as_many
 
   function first_mark(marks) result(address)
@@ -536,10 +657,12 @@ contains
     class(vbgpd_state), intent(inout) :: self
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int32_t) :: status
     status = vbgpd_state_destroy(self%handle)
     if (status < 0) then
-      call refuse(status, "The state is in use by another call or already destroyed.", stat, errmsg)
+      call refuse(status, "The state is in use by another call or already destroyed.", stat, failure)
+      if (present(errmsg) .and. allocated(failure)) errmsg = failure
       return
     end if
     self%handle = c_null_ptr

@@ -39,12 +39,14 @@ contains
     class(vbgpd_context), intent(in) :: context
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(c_ptr) :: fresh
     integer(c_int32_t) :: status
     fresh = c_null_ptr
     status = vbgpd_profile_create(context%handle, fresh)
     call adopt(self, fresh, status)
-    call conclude(status, vbgpd_context_error, context%handle, stat, errmsg)
+    call conclude(status, vbgpd_context_error, context%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine create
 
   ! A scene as a flatbuffer, e.g. a file read into bytes.
@@ -54,6 +56,7 @@ contains
     integer(c_int8_t), intent(in), contiguous, target :: bytes(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(c_ptr) :: fresh, first
     integer(c_int32_t) :: status
     fresh = c_null_ptr
@@ -61,7 +64,8 @@ contains
     if (size(bytes) > 0) first = c_loc(bytes)
     status = vbgpd_profile_create_from_flatbuffer(context%handle, first, size(bytes, kind=c_int64_t), fresh)
     call adopt(self, fresh, status)
-    call conclude(status, vbgpd_context_error, context%handle, stat, errmsg)
+    call conclude(status, vbgpd_context_error, context%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine create_from_flatbuffer
 
   ! The profile as a scene flatbuffer.
@@ -70,6 +74,7 @@ contains
     integer(c_int8_t), allocatable, target, intent(inout) :: bytes(:)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int64_t) :: needed
     integer(c_int32_t) :: status
     needed = 0
@@ -79,7 +84,8 @@ contains
       allocate (bytes(needed))
       status = vbgpd_profile_to_flatbuffer(self%handle, c_loc(bytes), needed, needed)
     end if
-    call conclude(status, vbgpd_profile_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine to_flatbuffer
 
   subroutine adopt(self, fresh, status)
@@ -96,9 +102,11 @@ contains
     class(vbgpd_profile), intent(inout) :: self
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int32_t) :: status
     status = vbgpd_profile_destroy(self%handle)
-    call conclude(status, vbgpd_profile_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
     if (status >= 0) self%handle = c_null_ptr
   end subroutine destroy
 
@@ -108,10 +116,15 @@ contains
     real(c_double), intent(in), target :: xy(:, :)
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(point_view), target :: view
-    if (.not. accept_points(xy, view, stat, errmsg)) return
+    if (.not. accept_points(xy, view, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
     call conclude(vbgpd_profile_set_exterior(self%handle, view%address, view%stride, view%n), &
-                  vbgpd_profile_error, self%handle, stat, errmsg)
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine set_exterior
 
   subroutine add_material(self, name, id, stat, errmsg)
@@ -120,8 +133,10 @@ contains
     integer(c_int64_t), intent(inout), optional :: id
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_profile_add_material(self%handle, name, len_trim(name, c_int64_t), id), &
-                  vbgpd_profile_error, self%handle, stat, errmsg)
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine add_material
 
   ! Without xy the layer fills the exterior; later layers overwrite.
@@ -132,12 +147,17 @@ contains
     integer(c_int64_t), intent(inout), optional :: id
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(point_view), target :: view
     if (present(xy)) then
-      if (.not. accept_points(xy, view, stat, errmsg)) return
+      if (.not. accept_points(xy, view, stat, failure)) then
+        if (present(errmsg)) errmsg = failure
+        return
+      end if
     end if
     call conclude(vbgpd_profile_add_layer(self%handle, view%address, view%stride, view%n, material, id), &
-                  vbgpd_profile_error, self%handle, stat, errmsg)
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine add_layer
 
   ! Either side ("base", "left", "right") or xy, a polyline along the exterior.
@@ -149,15 +169,20 @@ contains
     integer(c_int64_t), intent(inout), optional :: id
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     type(point_view), target :: view
     integer(c_int64_t) :: length
     length = 0
     if (present(side)) length = len_trim(side, c_int64_t)
     if (present(xy)) then
-      if (.not. accept_points(xy, view, stat, errmsg)) return
+      if (.not. accept_points(xy, view, stat, failure)) then
+        if (present(errmsg)) errmsg = failure
+        return
+      end if
     end if
     call conclude(vbgpd_profile_add_boundary(self%handle, side, length, view%address, view%stride, view%n, kind, id), &
-                  vbgpd_profile_error, self%handle, stat, errmsg)
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine add_boundary
 
   ! Pressure downwards on the ground surface from x0 to x1, linear to pressure_end where that is given.
@@ -168,11 +193,13 @@ contains
     integer(c_int64_t), intent(inout), optional :: id
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     real(c_double) :: last
     last = pressure
     if (present(pressure_end)) last = pressure_end
     call conclude(vbgpd_profile_add_load(self%handle, x0, x1, pressure, last, id), &
-                  vbgpd_profile_error, self%handle, stat, errmsg)
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine add_load
 
   ! set and get: of the profile itself, or of the part id of that object_kind (VBGPD_OBJECT_MATERIAL ...).
@@ -184,9 +211,11 @@ contains
     integer(c_int64_t), intent(in), optional :: id
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_profile_set_f64(self%handle, kind_of(object_kind), id_of(id), &
                                         name, len_trim(name, c_int64_t), value), &
-                  vbgpd_profile_error, self%handle, stat, errmsg)
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine set_number
 
   subroutine get_number(self, name, value, object_kind, id, stat, errmsg)
@@ -197,9 +226,11 @@ contains
     integer(c_int64_t), intent(in), optional :: id
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_profile_get_f64(self%handle, kind_of(object_kind), id_of(id), &
                                         name, len_trim(name, c_int64_t), value), &
-                  vbgpd_profile_error, self%handle, stat, errmsg)
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine get_number
 
   subroutine set_text(self, name, value, object_kind, id, stat, errmsg)
@@ -209,9 +240,11 @@ contains
     integer(c_int64_t), intent(in), optional :: id
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_profile_set_text(self%handle, kind_of(object_kind), id_of(id), &
                                          name, len_trim(name, c_int64_t), value, len_trim(value, c_int64_t)), &
-                  vbgpd_profile_error, self%handle, stat, errmsg)
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine set_text
 
   subroutine get_text(self, name, value, object_kind, id, stat, errmsg)
@@ -222,6 +255,7 @@ contains
     integer(c_int64_t), intent(in), optional :: id
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     character(:), allocatable :: buffer
     integer(c_int64_t) :: needed, length
     integer(c_int32_t) :: status
@@ -234,7 +268,8 @@ contains
       status = vbgpd_profile_get_text(self%handle, kind_of(object_kind), id_of(id), name, length, buffer, needed + 1)
       if (status == VBGPD_OK) value = buffer(:needed)
     end if
-    call conclude(status, vbgpd_profile_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine get_text
 
   pure function kind_of(object_kind) result(kind)
@@ -257,7 +292,9 @@ contains
     integer(c_int64_t), intent(inout) :: n
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
-    call conclude(vbgpd_profile_count(self%handle, object_kind, n), vbgpd_profile_error, self%handle, stat, errmsg)
+    character(:), allocatable :: failure
+    call conclude(vbgpd_profile_count(self%handle, object_kind, n), vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine count_parts
 
   ! xy(2, n): the exterior, or the polygon of a layer, or the polyline of a boundary.
@@ -268,6 +305,7 @@ contains
     integer(c_int64_t), intent(in), optional :: id
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     integer(c_int64_t) :: n
     integer(c_int32_t) :: status
     n = 0
@@ -279,7 +317,8 @@ contains
       if (n > 0) status = vbgpd_profile_polygon(self%handle, kind_of(object_kind), id_of(id), c_loc(xy), 16_c_int64_t, &
                                                 n, n)
     end if
-    call conclude(status, vbgpd_profile_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine polygon
 
   ! Finds every fault; errors forbid a model, warnings do not. issue lists them.
@@ -288,8 +327,10 @@ contains
     integer(c_int64_t), intent(inout), optional :: errors, warnings
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     call conclude(vbgpd_profile_validate(self%handle, errors, warnings), &
-                  vbgpd_profile_error, self%handle, stat, errmsg)
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine validate
 
   ! Issue i, from 0, of the last validate; stat VBGPD_END_OF_DATA and an empty text past the last.
@@ -300,6 +341,7 @@ contains
     character(:), allocatable, intent(out) :: text
     integer(c_int32_t), intent(out), optional :: stat
     character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
     character(:), allocatable :: buffer
     integer(c_int64_t) :: needed
     integer(c_int32_t) :: status
@@ -311,7 +353,8 @@ contains
       status = vbgpd_profile_issue(self%handle, i, info, buffer, needed + 1)
       if (status == VBGPD_OK) text = buffer(:needed)
     end if
-    call conclude(status, vbgpd_profile_error, self%handle, stat, errmsg)
+    call conclude(status, vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine issue
 
   ! The last failure on this object; stat VBGPD_END_OF_DATA when there was none.

@@ -139,13 +139,15 @@ contains
     if (outcome == VBGPD_OK) text = buffer(:needed)
   end subroutine read_error
 
-  ! Ends every call of the face: the status goes to stat, the object's words to errmsg or, without stat, to error stop.
-  subroutine conclude(status, reader, handle, stat, errmsg)
+  ! Ends every call of the face: the status goes to stat, the words of the object to failure or, without stat, to error
+  ! stop. Every method hands failure on to its errmsg itself: gfortran 12 loses the length of an optional text of
+  ! deferred length that is passed from one procedure to the next as optional.
+  subroutine conclude(status, reader, handle, stat, failure)
     integer(c_int32_t), intent(in) :: status
     procedure(error_reader) :: reader
     type(c_ptr), intent(in) :: handle
     integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable, intent(inout) :: failure
     type(vbgpd_error_info) :: info
     character(:), allocatable :: text
     integer(c_int32_t) :: outcome
@@ -155,15 +157,15 @@ contains
     end if
     call read_error(reader, handle, info, text, outcome)
     if (outcome /= VBGPD_OK .or. info%status /= status) text = unrecorded(status)
-    call refuse(status, text, stat, errmsg)
+    call refuse(status, text, stat, failure)
   end subroutine conclude
 
-  subroutine refuse(status, text, stat, errmsg)
+  subroutine refuse(status, text, stat, failure)
     integer(c_int32_t), intent(in) :: status
     character(*), intent(in) :: text
     integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
-    if (present(errmsg)) errmsg = text
+    character(:), allocatable, intent(inout) :: failure
+    failure = text
     if (.not. present(stat)) error stop text
     stat = status
   end subroutine refuse
@@ -216,16 +218,16 @@ contains
   end function byte_distance
 
   ! xy(2, n), any section of an array, seen in place where possible; the view lives as long as xy and itself.
-  function accept_points(xy, view, stat, errmsg) result(accepted)
+  function accept_points(xy, view, stat, failure) result(accepted)
     real(c_double), intent(in), target :: xy(:, :)
     type(point_view), intent(inout), target :: view
     integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable, intent(inout) :: failure
     logical :: accepted
     accepted = size(xy, 1) == 2
     if (.not. accepted) then
       call refuse(VBGPD_E_ARGUMENT, "The array of points has " // number_text(size(xy, 1, c_int64_t)) // &
-                  " rows; it needs two, x and y.", stat, errmsg)
+                  " rows; it needs two, x and y.", stat, failure)
       return
     end if
     view%n = size(xy, 2, c_int64_t)
@@ -240,12 +242,12 @@ contains
   end function accept_points
 
   ! The C face knows nothing of the array's extent within an item: rows must be as many as the field has components.
-  function find_field(field, rows, id, stat, errmsg) result(found)
+  function find_field(field, rows, id, stat, failure) result(found)
     character(*), intent(in) :: field
     integer, intent(in) :: rows
     integer(c_int32_t), intent(out) :: id
     integer(c_int32_t), intent(out), optional :: stat
-    character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable, intent(inout) :: failure
     logical :: found
     type(vbgpd_field_info) :: info
     integer(c_int32_t) :: status
@@ -254,11 +256,11 @@ contains
     if (status == VBGPD_OK) status = vbgpd_field_info_at(int(id, c_int64_t), info)
     found = status == VBGPD_OK .and. info%components == rows
     if (status /= VBGPD_OK) then
-      call refuse(status, "There is no field named """ // trim(field) // """.", stat, errmsg)
+      call refuse(status, "There is no field named """ // trim(field) // """.", stat, failure)
     else if (.not. found) then
       call refuse(VBGPD_E_ARGUMENT, "The field """ // trim(field) // """ has " // &
                   number_text(int(info%components, c_int64_t)) // " components per item; the array has room for " // &
-                  number_text(int(rows, c_int64_t)) // ".", stat, errmsg)
+                  number_text(int(rows, c_int64_t)) // ".", stat, failure)
     end if
   end function find_field
 

@@ -15,6 +15,8 @@ program fortran_face_test
 
   call profile%set("spacing", 1.0_c_double, stat=stat, errmsg=errmsg)
   call expect(stat == VBGPD_E_HANDLE .and. index(errmsg, "not created") > 0, "an object that was not created says so")
+  call expect(len(errmsg) == 56 .and. errmsg == "This object was not created yet or is already destroyed.", &
+              "errmsg is as long as what it says")
   call context%create(threads=-1, stat=stat, errmsg=errmsg)
   call expect(stat < 0 .and. index(errmsg, "threads") > 0, "a wrong context is refused with a sentence")
   call context%create()
