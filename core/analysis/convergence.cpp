@@ -172,6 +172,11 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
     refuse(e, fine, "THIN_LAYER", std::max(e.error, kAgain * difference + noise),
            "the layer of '" + thinnest.material + "' is " + number_text(thinnest.thickness, 3) + " m thick, only " +
                number_text(cells, 2) + " spacings of the finest grid (2 are needed)");
+  // F_e is a ratio of powers: what the books of the flow leave out may be missing from it
+  constexpr double kBooks = 0.01;
+  if (fine.energy_residual > kBooks)
+    refuse(e, fine, "ENERGY_UNBALANCED", std::max(e.error, fine.energy_residual * fine.factor_of_safety),
+           "the energy books of the flow do not close (residual " + number_text(fine.energy_residual, 2) + ")");
   e.error = std::max(e.error, half);
   return e;
 }

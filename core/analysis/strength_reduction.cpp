@@ -47,7 +47,7 @@ class StrengthReductionJob final : public SliceJob {
         level.factor_of_safety = (search.stable() + search.failed()) / 2;
         result_.displacement_level = search.displacement_level();
         for (Slices s = mechanism(simulation, search.response_steps() / 2); s.next();) co_yield Pause{};
-        level.sliding_area = result_.sliding_area;
+        level.sliding_area = result_.sliding_area, level.energy_residual = result_.energy_residual;
       }
       level.steps = progress_.steps - steps;
       level.trials = static_cast<std::int64_t>(result_.trials.size() - trials);
@@ -204,6 +204,7 @@ class StrengthReductionJob final : public SliceJob {
     result_.factor_of_safety = now_.value, result_.error_estimate = now_.error;
     result_.observed_order = now_.observed_order;
     result_.status = now_.status, result_.reason = now_.reason;
+    if (now_.status == "ENERGY_UNBALANCED") outcome_ = Status::kNotConverged;
     if (!stop_.empty()) result_.reason += "; " + stop_;
     if (!(target_ > 0) || met()) return;
     outcome_ = Status::kNotConverged;

@@ -156,6 +156,18 @@ TEST(Estimate, IsTheMiddleOfAllOrdersWhereTheCoarserGridMissesALayer) {
   EXPECT_EQ(estimate(levels, {"weak band", 2.6}).value, first.value);  // the support radius of the coarser grid
 }
 
+TEST(Estimate, DoesNotTrustAFlowWhoseBooksDoNotClose) {
+  auto levels = exact(1, {1, 0.5});
+  levels.back().energy_residual = 0.009;
+  EXPECT_EQ(estimate(levels, {}).status, "OK");
+  levels.back().energy_residual = 0.19;
+  const Estimate e = estimate(levels, {});
+  EXPECT_EQ(e.status, "ENERGY_UNBALANCED");
+  EXPECT_EQ(e.value, levels.back().factor_of_safety);
+  EXPECT_NEAR(e.error, 0.19 * e.value, 1e-12);
+  EXPECT_NE(e.reason.find("residual 0.19"), std::string::npos) << e.reason;
+}
+
 TEST(Estimate, IsWidenedByWhatAJerkyFlowStrays) {
   auto levels = exact(1, {1, 0.5});
   const Estimate steady = estimate(levels, {}), one = estimate({&levels[1], 1}, {});
