@@ -137,7 +137,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
 
 /// Displacements that run away are no verdict: the flow was too fast to follow, a slower one is looked for below.
 void GridSearch::run_away(double factor) {
-  constexpr int kMost = 3;
+  constexpr int kMost = 8;  // a bisection from far above down to the tolerance
   simulation_.restore(*standing_);
   aside_ = 0;
   runaway_ = std::fmin(runaway_, factor);

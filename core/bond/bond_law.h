@@ -45,8 +45,8 @@ inline std::optional<BondLawName> bond_law_by_name(std::string_view name) {
   return std::nullopt;
 }
 
-/// Elastic modulus of a bond that joins two materials. Its strength: simulation/build_model.cpp, rule and measurement
-/// in README.md.
-inline double joined(double a, double b) { return 0.5 * (a + b); }
+/// Elastic modulus of a bond that joins two materials: springs in series, as stress is continuous across the joint. Its
+/// strength: simulation/build_model.cpp, rules and measurements in README.md.
+inline double joined(double a, double b) { return a == b ? a : 2 * a * b / (a + b); }
 
 }  // namespace vbgpd

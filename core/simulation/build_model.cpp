@@ -79,6 +79,8 @@ void find_features(const SceneDef& scene, const Section& section, Model& m) {
   Features f;
   f.bond = bond_law_by_name(scene.bond)->at_rest;
   f.plastic = f.volumetric_plastic = f.cohesion_gradient = f.has_algorithm[0] = f.has_algorithm[1] = false;
+  bool dilates = false;
+  Real softest = kInfinity, stiffest = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) continue;
     const MaterialDef& d = scene.materials[i];
@@ -87,7 +89,11 @@ void find_features(const SceneDef& scene, const Section& section, Model& m) {
     f.plastic |= yields(law);
     f.volumetric_plastic |= yields(law) && (d.friction_angle > 0 || !std::isnan(d.tension_cutoff));
     f.cohesion_gradient |= yields(law) && d.cohesion_gradient > 0;
+    dilates |= yields(law) && d.dilatancy_angle > 0;
+    const Real bulk = m.pair_elastic[i * (used.size() + 1)].bulk_modulus;
+    softest = std::min(softest, bulk), stiffest = std::max(stiffest, bulk);
   }
+  f.uneven_dilation = dilates && stiffest > softest && f.bond != BondLaw::kNone;
   m.features = f;
 }
 
@@ -96,6 +102,7 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
   for (Array* a : {&m.force_x, &m.force_y, &m.free_x, &m.free_y, &m.mass})
     a->allocate(n, static_cast<int>(a - &m.force_x) + 2, m.heap);
   if (m.features.cohesion_gradient) m.extra_cohesion.allocate(n, 9, m.heap);
+  if (m.features.uneven_dilation) m.compressibility.allocate(n, 12, m.heap);
   // Weightless soil still needs inertia for dynamic steps: a weight that the loads would balance over the section's
   // height.
   Real heaviest = 0, load = 0;
@@ -118,6 +125,8 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
       const Real y = section.place(k).y();
       m.extra_cohesion[i] = d.cohesion_gradient * std::max<Real>(0, d.cohesion_datum - y);
     }
+    const auto pair = static_cast<std::size_t>(seed.material * (m.materials + 1));
+    if (m.features.uneven_dilation) m.compressibility[i] = 1 / m.pair_elastic[pair].bulk_modulus;
     WallMotion wall;
     if (seed.hold == Hold::kFixed) wall = fixed_wall();
     if (seed.hold == Hold::kVelocity) wall = moved_wall();

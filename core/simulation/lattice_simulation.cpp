@@ -83,7 +83,7 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.sum_x = m.sum_x.data(), d.sum_y = m.sum_y.data();
   d.weighted_x = t.weighted_x.data(), d.weighted_y = t.weighted_y.data();
   d.force_x = m.force_x.data(), d.force_y = m.force_y.data(), d.free_x = m.free_x.data(), d.free_y = m.free_y.data();
-  d.extra_cohesion = m.extra_cohesion.data();
+  d.extra_cohesion = m.extra_cohesion.data(), d.compressibility = m.compressibility.data();
   d.place_x = m.place_x.data(), d.place_y = m.place_y.data();
   d.pair_weight = m.pair_weight.data(), d.forward_packs = m.forward_packs;
   d.least_r2 = 1e-12 * section_.lattice.spacing.prod();

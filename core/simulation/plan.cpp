@@ -83,6 +83,8 @@ std::vector<Feature> LatticeSimulation::plan() const {
       {"volumetric plasticity", "volume that dilates or opens in tension, at the particles",
        m.features.volumetric_plastic, sum_of(s.plastic_volume, t.volume_source, t.opening, t.mean_load, dilation_cap_),
        0},
+      {"dilatancy across stiffness", "how bonds that dilate between soils of different stiffness share the volume",
+       m.features.uneven_dilation, m.compressibility.bytes(), 0},
       {"layers switched off", "soil taken away or not placed yet; its places in the arrays stay", !layers_.empty()},
       {"placed soil", "the shape soil was placed in, where the section had moved already", s.placed_strain.present(),
        bonded ? 0 : s.placed_strain.bytes(), bonded ? s.placed_strain.bytes() : 0},

@@ -20,7 +20,8 @@ struct Features {
   bool plastic = true;             ///< any law yields: plastic strain is stored
   bool volumetric_plastic = true;  ///< any law dilates or is capped in tension
   bool cohesion_gradient = false;
-  bool placed = false;  ///< soil was placed when the section was deformed already
+  bool uneven_dilation = false;  ///< bonds dilate between soils of different bulk modulus
+  bool placed = false;           ///< soil was placed when the section was deformed already
   bool has_algorithm[2] = {true, true};
 };
 
@@ -48,8 +49,9 @@ struct Model {
   Array force_x, force_y;                 ///< external force: weight, seismic, surface loads, N
   Array free_x, free_y;                   ///< 1 where the particle may move, 0 where a wall holds it
   Array mass;                             ///< true mass, kg
-  Array scaled_mass;     ///< mass of the quasi-static relaxation, proportional to the stiffness around the particle
-  Array extra_cohesion;  ///< present with a cohesion gradient: Pa above the material's cohesion
+  Array scaled_mass;      ///< mass of the quasi-static relaxation, proportional to the stiffness around the particle
+  Array extra_cohesion;   ///< present with a cohesion gradient: Pa above the material's cohesion
+  Array compressibility;  ///< present where bonds dilate between soils of different stiffness: 1/K, Pa-1
   // present where particles are off the lattice (scene's jitter); then offsets tell who may be near, no more
   Array place_x, place_y;       ///< of the particles, from the lattice's origin, m
   Array pair_weight;            ///< omega_ij [neighbour packs x width] by weight_record, 0 where a lane is no bond

@@ -99,7 +99,7 @@ VBGPD_INLINE void return_stress(const StepData& d, const BondPack& pack, const L
 /// VB5: V_i S_i = sum_j B_ij/2 [ s (I - n n^T) + m I ] of both ends, pair force B_ij s n / r with opposite signs.
 template <class Sites>
 VBGPD_INLINE void add_loads(const StepData& d, int i, const BondPack* packs, const BondWork<Sites>* loads, int count,
-                            bool sourced) {
+                            bool sourced, double bulk) {
   Pack zxx{}, zxy{}, zyx{}, zyy{}, px{}, py{};  // added at the end: both ends may share particles
   for (int p = 0; p < count; ++p) {
     const auto& o = loads[p].bond;
@@ -117,7 +117,17 @@ VBGPD_INLINE void add_loads(const StepData& d, int i, const BondPack* packs, con
   add(d.px + i, px), add(d.py + i, py);
   if (!sourced) return;
   Pack own{};
-  for (int p = 0; p < count; ++p) own += loads[p].source, add(d.volume_source + packs[p].j, loads[p].source);
+  for (int p = 0; p < count; ++p) {
+    const int j = packs[p].j;
+    if (d.compressibility == nullptr) {
+      own += loads[p].source, add(d.volume_source + j, loads[p].source);
+      continue;
+    }
+    // springs in series: the mean stress of either end falls by what the return took off that of the bond
+    const Pack dilated = bulk * loads[p].source;
+    own += dilated * load(d.compressibility + i);
+    add(d.volume_source + j, dilated * load(d.compressibility + j));
+  }
   add(d.volume_source + i, own);
 }
 
@@ -146,7 +156,7 @@ inline double bond_pass(const StepData& shared, const Controls& shared_controls,
       if (d.extra_cohesion != nullptr) add_cohesion(own, d, controls, constants, batch->i, batch[n].j);
       return_stress<kLedger>(d, batch[n], own, compliance, work[n], plastic_work);
     }
-    add_loads(d, batch->i, batch, work, count, sourced);
+    add_loads(d, batch->i, batch, work, count, sourced, constants.bulk_modulus);
     p += count;
   }
   return plastic_work;

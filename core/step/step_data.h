@@ -42,7 +42,7 @@ struct StepData {
   const GuidedParticle* guided;
   int guided_count;
   const double *volume, *share, *moment_xx, *moment_xy, *moment_yy, *force_x, *force_y, *free_x, *free_y, *sum_x,
-      *sum_y, *extra_cohesion;
+      *sum_y, *extra_cohesion, *compressibility;
   const double *place_x, *place_y, *pair_weight;  ///< off the lattice only; weights by weight_record
   std::int32_t forward_packs;
   double least_r2;  ///< m2, nearer pairs are no bonds but padding

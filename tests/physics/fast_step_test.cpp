@@ -51,6 +51,15 @@ const std::vector<Variant>& variants() {
          s.materials.push_back(clay);
          s.layers.push_back({"clay", {{0, 0}, {30, 0}, {30, 5}, {0, 3}}});
        }},
+      {"dilatant soils, one thirty times as stiff",
+       [](SceneDef& s) {
+         s.materials[0].law = "mohr_coulomb", s.materials[0].dilatancy_angle = 20;
+         MaterialDef gravel = test::soil("drucker_prager", 6e3, 30);
+         gravel.name = "gravel", gravel.young_modulus = 30 * s.materials[0].young_modulus;
+         gravel.dilatancy_angle = 30;
+         s.materials.push_back(gravel);
+         s.layers.push_back({"gravel", {{0, 0}, {30, 0}, {30, 5}, {0, 3}}});
+       }},
       {"seismic and load",
        [](SceneDef& s) {
          s.kh = 0.2, s.kv = -0.1, s.loads = {{2, 9, 3e4, 1e4}};

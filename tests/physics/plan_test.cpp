@@ -39,6 +39,7 @@ SceneDef everything() {
   s.materials[0].tension_cutoff = 1e3;
   s.materials.push_back(soil("undrained", 30e3, 0));
   s.materials[1].name = "clay", s.materials[1].cohesion_gradient = 2e3, s.materials[1].cohesion_datum = 5;
+  s.materials[1].young_modulus = 2e8;
   s.layers.push_back({"clay", {{0, 0}, {32, 0}, {28.8, 1.6}, {0, 4}}});
   s.loads = {{2, 8, 20e3, 20e3}};
   s.kh = 0.05;
@@ -75,17 +76,19 @@ TEST(Plan, OfTheSimplestSceneLeavesEverythingOut) {
   const auto simulation = compiled(dry_elastic("none"));
   for (const char* name :
        {"virtual bonds", "plasticity", "volumetric plasticity", "cohesion gradient", "several materials", "dilatancy",
-        "tension cut-off", "seismic coefficients", "surface loads", "moving boundaries", "damping", "energy ledger",
-        "quasi-static relaxation", "dynamic steps", "fields and monitors", "workers", "mohr_coulomb law", "jitter"})
+        "dilatancy across stiffness", "tension cut-off", "seismic coefficients", "surface loads", "moving boundaries",
+        "damping", "energy ledger", "quasi-static relaxation", "dynamic steps", "fields and monitors", "workers",
+        "mohr_coulomb law", "jitter"})
     EXPECT_FALSE(feature(*simulation, name).used) << name;
   EXPECT_TRUE(feature(*simulation, "elastic law").used);
 }
 
 TEST(Plan, OfTheFullSceneUsesEverything) {
   const auto simulation = compiled(everything());
-  for (const char* name : {"virtual bonds", "plasticity", "volumetric plasticity", "cohesion gradient",
-                           "several materials", "dilatancy", "tension cut-off", "seismic coefficients", "surface loads",
-                           "moving boundaries", "guided walls", "mohr_coulomb law", "undrained law", "jitter"})
+  for (const char* name :
+       {"virtual bonds", "plasticity", "volumetric plasticity", "cohesion gradient", "dilatancy across stiffness",
+        "several materials", "dilatancy", "tension cut-off", "seismic coefficients", "surface loads",
+        "moving boundaries", "guided walls", "mohr_coulomb law", "undrained law", "jitter"})
     EXPECT_TRUE(feature(*simulation, name).used) << name;
   EXPECT_FALSE(feature(*simulation, "damping").used);
   simulation->set("damping", 0.3);
@@ -109,6 +112,7 @@ TEST(Plan, BytesAreThoseOfTheArrays) {
   expect_arrays(feature(*simulation, "volumetric plasticity"), 5,
                 storage);  // theta^p, its source, two for its work, the cap
   expect_arrays(feature(*simulation, "cohesion gradient"), 1, storage);
+  expect_arrays(feature(*simulation, "dilatancy across stiffness"), 1, storage);
   const Feature plasticity = feature(*simulation, "plasticity");
   EXPECT_EQ(plasticity.particle_bytes, 0u);
   EXPECT_EQ(plasticity.bond_bytes - plasticity.bond_bytes % (3 * 8 * records), 3 * 8 * records);  // xx, yy, xy

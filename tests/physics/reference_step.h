@@ -100,7 +100,9 @@ class ReferenceStep {
         const Mat2 share =
             bond_volume / 2 * (deviator * (Mat2::Identity() - normal * normal.transpose()) + s.m * Mat2::Identity());
         VS[i] += share, VS[j] += share;  // VB5
-        source[i] += bond_volume / 2 * dilated, source[j] += bond_volume / 2 * dilated;
+        const auto bulk = [&](std::size_t k) { return constants_[pair_of(k, k)].bulk_modulus; };
+        source[i] += bond_volume / 2 * dilated * c.bulk_modulus / bulk(i);  // springs in series
+        source[j] += bond_volume / 2 * dilated * c.bulk_modulus / bulk(j);
         f[i] += bond_volume * deviator * normal / r, f[j] -= bond_volume * deviator * normal / r;
       }
     for (std::size_t i = 0; i < n; ++i) {
