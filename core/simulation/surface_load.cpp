@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <set>
 
 namespace vbgpd {
@@ -35,6 +37,29 @@ Real ground_level(const std::vector<Point>& ground, Real x) {
     return a.y + (b.y - a.y) * std::clamp((x - a.x) / (b.x - a.x), 0.0, 1.0);
   }
   return ground.empty() ? 0 : ground.front().y;
+}
+
+/// A roller at the side is a mirror: what loads the soil loads its image. Without that the wall particles, which slide
+/// with the soil, would carry part of a load that reaches the side.
+void load_images(const Section& section, const std::vector<Real>& on_soil,
+                 const std::function<void(std::size_t, Real)>& push) {
+  std::map<std::pair<Index, Index>, std::size_t> soil;
+  Index low = std::numeric_limits<Index>::max(), high = std::numeric_limits<Index>::min();
+  for (std::size_t k = 0; k < section.seeds.size(); ++k) {
+    const Seed& seed = section.seeds[k];
+    if (seed.hold == Hold::kFree && seed.active)
+      soil[{seed.ix, seed.iy}] = k, low = std::min(low, seed.ix), high = std::max(high, seed.ix);
+  }
+  constexpr Real kUpright = 1 - 1e-9;
+  for (std::size_t k = 0; k < section.seeds.size(); ++k) {
+    const Seed& wall = section.seeds[k];
+    if (wall.hold != Hold::kRoller || std::fabs(wall.normal.x()) < kUpright) continue;
+    const Index inward = wall.normal.x() > 0 ? -1 : 1;
+    Index first = wall.ix + inward;
+    while ((inward > 0 ? first <= high : first >= low) && soil.count({first, wall.iy}) == 0) first += inward;
+    const auto image = soil.find({2 * first - inward - wall.ix, wall.iy});
+    if (image != soil.end() && on_soil[image->second] != 0) push(k, on_soil[image->second]);
+  }
 }
 
 }  // namespace
@@ -81,9 +106,13 @@ void add_surface_loads(const std::vector<LoadDef>& loads, const Section& section
   if (loads.empty()) return;
   const std::vector<Real> area = normal_areas(m);
   const auto place = [&](std::size_t seed) { return static_cast<std::size_t>(m.storage_of[seed]); };
+  std::vector<Real> on_soil(section.seeds.size(), 0);
   spread_surface_loads(
       loads, section, [&](std::size_t seed) { return area[place(seed)]; },
-      [&](std::size_t seed, Real force) { m.force_y[place(seed)] += force; });
+      [&](std::size_t seed, Real force) { on_soil[seed] += force; });
+  for (std::size_t k = 0; k < on_soil.size(); ++k)
+    if (on_soil[k] != 0) m.force_y[place(k)] += on_soil[k];
+  load_images(section, on_soil, [&](std::size_t wall, Real force) { m.force_y[place(wall)] += force; });
 }
 
 }  // namespace vbgpd

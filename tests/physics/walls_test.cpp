@@ -55,6 +55,26 @@ TEST(MovingWall, PressesTheSoilByThePlaneStrainModulus) {
   }
 }
 
+TEST(Roller, AtTheSideCarriesNothingOfALoadThatReachesIt) {
+  constexpr double kLoad = 1e5, kLow = 3.25, kHigh = 7.25;
+  SceneDef scene = test::block(test::soil("elastic", 0, 0), 5, 10, 0.5);
+  scene.materials[0].unit_weight = 0;
+  scene.loads = {{0, 5, kLoad, kLoad}};
+  const auto s = Simulation::compile(scene, {});
+  for (int n = 0; n < 500 && s->relax(10, {}).unbalanced_force_ratio > 1e-9; ++n) {
+  }
+  const double oedometric = 1e8 * 0.7 / (1.3 * 0.4);
+  for (double column = 0.25; column < 5; column += 0.5) {
+    const auto settlement = [&](double level) {
+      return -mean(*s, "displacement", 1, [&](double x, double y) {
+        return std::fabs(x - column) < 1e-6 && std::fabs(y - level) < 1e-6;
+      });
+    };
+    const double exact = kLoad / oedometric * (kHigh - kLow);
+    EXPECT_NEAR(settlement(kHigh) - settlement(kLow), exact, 3e-3 * exact) << column;  // 20 % less without the images
+  }
+}
+
 TEST(Roller, OnAnInclineLetsABlockSlideWithoutFriction) {
   SceneDef scene = test::block(test::soil("elastic", 0, 0), 20, 5, 0.5);
   scene.exterior = {{0, 0}, {20, 5}, {20, 10}, {0, 5}};
