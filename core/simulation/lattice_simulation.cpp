@@ -38,9 +38,12 @@ struct LatticeSimulation::Saved final : SavedState {
 
 LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions& options, const Kernels& kernels)
     : scene_(scene), options_(options), kernels_(kernels), workers_(options.threads) {
-  Lattice lattice = fit_lattice(scene, scene.spacing * options.spacing_factor, options.lattice_multiple);
-  if (options.coarsening > 1) lattice = coarsened(lattice, options.coarsening);
-  require_bytes(scene, lattice, kernels.width, options.max_bytes);
+  const auto lattice_of = [&](Real spacing) {
+    const Lattice fitted = fit_lattice(scene, spacing * options.spacing_factor, options.lattice_multiple);
+    return options.coarsening > 1 ? coarsened(fitted, options.coarsening) : fitted;
+  };
+  const Lattice lattice = lattice_of(scene.spacing);
+  require_bytes(scene, lattice_of, scene.spacing, kernels.width, options.max_bytes);
   section_ = discretise(scene, lattice, support_reach(scene), options.max_particles);
   model_ = build_model(scene_, section_, kernels.width, options.heap);
   drive_ = scene_drive(scene_, section_);

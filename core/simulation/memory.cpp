@@ -1,6 +1,7 @@
 #include "simulation/memory.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -60,11 +61,6 @@ double forward_offsets(const SceneDef& scene, const Lattice& lattice) {
   return (inside - 1) / 2;
 }
 
-Lattice wider(Lattice lattice, double factor) {
-  lattice.spacing *= factor;
-  return lattice;
-}
-
 }  // namespace
 
 double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width) {
@@ -84,19 +80,27 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
          2 * offsets * blocks * (sizeof(NeighbourPack) + weights) + packs * (sizeof(BondPack) + kCopies * record);
 }
 
-void require_bytes(const SceneDef& scene, const Lattice& lattice, int width, std::int64_t max_bytes) {
+void require_bytes(const SceneDef& scene, const LatticeOf& lattice_of, Real spacing, int width,
+                   std::int64_t max_bytes) {
   if (max_bytes <= 0) return;
+  const Lattice lattice = lattice_of(spacing);
   const double needed = predicted_bytes(scene, lattice, width), most = static_cast<double>(max_bytes);
   if (needed <= most) return;
-  constexpr double kWider = 1.02, kWidest = 1e4;
-  double factor = kWider;
-  while (factor < kWidest && predicted_bytes(scene, wider(lattice, factor), width) > most) factor *= kWider;
   Issue issue{.status = Status::kLimit, .object = ObjectKind::kContext, .value = std::ceil(needed), .text = {}};
   issue.text = "spacings of " + number_text(lattice.spacing.x()) + " m and " + number_text(lattice.spacing.y()) +
                " m need about " + number_text(std::ceil(needed), 12) + " bytes, more than the " +
                std::to_string(max_bytes) + " allowed: ";
-  const double fits = std::sqrt(lattice.spacing.prod()) * factor;
-  issue.text += factor < kWidest ? "a spacing of " + number_text(fits, 3) + " m would fit" : "no spacing would fit";
+  // every spacing is tried on the lattice it would get, and as it is printed: a section has its own way of rounding
+  constexpr double kWider = 1.02;
+  const double widest = box_of(counter_clockwise(scene.exterior)).size().minCoeff() / 2;
+  std::string fits;
+  for (double wider = kWider * spacing; wider <= widest && fits.empty(); wider *= kWider) {
+    const std::string printed = number_text(wider, 3);
+    double rounded = wider;
+    std::from_chars(printed.data(), printed.data() + printed.size(), rounded);
+    if (predicted_bytes(scene, lattice_of(rounded), width) <= most) fits = printed;
+  }
+  issue.text += fits.empty() ? "no spacing would fit" : "a spacing of " + fits + " m would fit";
   throw Error(issue);
 }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "geometry/section.h"
@@ -41,7 +42,9 @@ class SavedBytes {
 /// the box of the section, 5 to 20 % too high rather than too low.
 double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width);
 
-/// Throws Error(kLimit, of the context) that says how many bytes it would be and which spacing would fit. 0 = no limit.
-void require_bytes(const SceneDef& scene, const Lattice& lattice, int width, std::int64_t max_bytes);
+/// Throws Error(kLimit, of the context) when the lattice of that spacing needs more bytes: how many, and the spacing
+/// that would fit. 0 = no limit.
+using LatticeOf = std::function<Lattice(Real spacing)>;
+void require_bytes(const SceneDef& scene, const LatticeOf& lattice_of, Real spacing, int width, std::int64_t max_bytes);
 
 }  // namespace vbgpd

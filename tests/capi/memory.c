@@ -94,7 +94,7 @@ static double refused(double spacing, int64_t max_bytes, double* fits) {
   said = strstr(text, "a spacing of ");
   *fits = said ? strtod(said + strlen("a spacing of "), NULL) : 0;
   if (said) {
-    set_number(slope, VBGPD_OBJECT_PROFILE, 0, "spacing", 1.005 * *fits); /* three digits are printed */
+    set_number(slope, VBGPD_OBJECT_PROFILE, 0, "spacing", *fits);
     CHECK_OK(vbgpd_model_create(context, slope, &model));
     use_all(model);
     CHECK(memory_of(model).bytes <= max_bytes);
@@ -108,7 +108,7 @@ static double refused(double spacing, int64_t max_bytes, double* fits) {
 }
 
 static void predictions_hold(void) {
-  static const double spacings[] = {1, 0.5};
+  static const double spacings[] = {0.5, 0.25};
   vbgpd_context* free_context = make_context();
   size_t i;
   for (i = 0; i < sizeof spacings / sizeof spacings[0]; ++i) {
