@@ -18,6 +18,8 @@ constexpr JobOption kOptions[] = {
     {"target_error", "1", "ends when the error estimate is this small; 0 = no target", 0, 0, 1},
     {"budget", "s", "wall time within which grids are begun and ended; 0 = no limit", 0, 0, 1e9},
     {"careful", "1", "0 fast search, then verification; 1 plain bisection from the gravity state", 0, 0, 1},
+    {"stiffness_contrast", "1",
+     "strength reduction: soils count as at most this many times as stiff as the softest one", 3, 1, 1e12},
     {"end_time", "s", "run-out: simulated time to stop at; 0 = at rest", 0, 0, 1e9},
     {"step_limit", "1", "steps after which a trial is undecided; 0 = 30 response times", 0, 0, 1e12},
 };

@@ -5,6 +5,7 @@
 #include "analysis/convergence.h"
 #include "analysis/grid_search.h"
 #include "analysis/slice_job.h"
+#include "analysis/stiffness_contrast.h"
 #include "geometry/thickness.h"
 #include "scene/wording.h"
 #include "simulation/take_over.h"
@@ -24,8 +25,8 @@ class StrengthReductionJob final : public SliceJob {
     for (std::size_t n = 0; n < most_ && goes_on(n); ++n) {
       const double wall = result_.wall_seconds, cpu = result_.cpu_seconds;
       std::unique_ptr<Simulation> other;
-      if (!is_own(n)) {
-        other = compile_grid(grid(n));
+      if (!is_own(n) || evened_) {
+        other = compile_grid(n);
         if (!other) break;
         co_yield Pause{};
       }
@@ -48,6 +49,7 @@ class StrengthReductionJob final : public SliceJob {
         result_.displacement_level = search.displacement_level();
         for (Slices s = mechanism(simulation, search.response_steps() / 2); s.next();) co_yield Pause{};
         level.sliding_area = result_.sliding_area, level.energy_residual = result_.energy_residual;
+        if (is_own(n) && other) simulation_.take_stresses(*other);
       }
       level.steps = progress_.steps - steps;
       level.trials = static_cast<std::int64_t>(result_.trials.size() - trials);
@@ -83,6 +85,8 @@ class StrengthReductionJob final : public SliceJob {
 
   void plan() {
     target_ = option("target_error"), budget_ = option("budget");
+    contrast_ = stiffness_contrast(simulation_), scene_ = with_contrast(simulation_, option("stiffness_contrast"));
+    evened_ = contrast_.ratio > option("stiffness_contrast");
     const int levels = static_cast<int>(option("levels"));
     open_ = levels == 0 && (target_ > 0 || budget_ > 0);
     if (!open_) closed_ = closed_ladder(levels == 0 ? 2 : levels);
@@ -126,12 +130,17 @@ class StrengthReductionJob final : public SliceJob {
   }
 
   /// Nothing when it would need more particles than allowed.
-  std::unique_ptr<Simulation> compile_grid(const Grid& grid) {
+  std::unique_ptr<Simulation> compile_grid(std::size_t n) {
     CompileOptions options = simulation_.options();
-    options.spacing_factor = grid.spacing_factor, options.lattice_multiple = grid.multiple,
-    options.coarsening = grid.coarsening;
+    if (is_own(n)) {
+      options.log = nullptr;  // which has been told of this grid
+    } else {
+      const Grid g = grid(n);
+      options.spacing_factor = g.spacing_factor, options.lattice_multiple = g.multiple;
+      options.coarsening = g.coarsening;
+    }
     try {
-      std::unique_ptr<Simulation> made = Simulation::compile(simulation_.scene(), options);
+      std::unique_ptr<Simulation> made = Simulation::compile(scene_, options);
       take_over(simulation_, *made);
       return made;
     } catch (const Error& error) {
@@ -206,6 +215,10 @@ class StrengthReductionJob final : public SliceJob {
     result_.status = now_.status, result_.reason = now_.reason;
     if (now_.status == "ENERGY_UNBALANCED") outcome_ = Status::kNotConverged;
     if (!stop_.empty()) result_.reason += "; " + stop_;
+    if (evened_)
+      result_.reason += "; '" + contrast_.stiffest + "' counted as " + number_text(option("stiffness_contrast")) +
+                        " times as stiff as '" + contrast_.softest + "', not " + number_text(contrast_.ratio) +
+                        " times: the factor of safety does not depend on it";
     if (!(target_ > 0) || met()) return;
     outcome_ = Status::kNotConverged;
     result_.reason += "; the target of " + number_text(target_) + " is not met";
@@ -292,7 +305,10 @@ class StrengthReductionJob final : public SliceJob {
   std::vector<Grid> closed_;
   std::size_t most_ = 0;
   ThinLayer thinnest_;
-  Estimate now_;  // of the grids so far
+  StiffnessContrast contrast_;
+  bool evened_ = false;  // stiffer soil counts as less stiff than it is
+  SceneDef scene_;       // with that
+  Estimate now_;         // of the grids so far
   bool gave_up_ = false;
   std::string stop_;  // why no further grid was begun or ended
 };

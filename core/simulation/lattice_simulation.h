@@ -43,6 +43,7 @@ class LatticeSimulation final : public Simulation {
   void set_drive(const Drive& drive) override;
   Layers layers() const override { return layers_; }
   void set_layers(const Layers& layers) override;
+  void take_stresses(const Simulation& softer) override;
   Vec2 boundary_reaction(std::size_t boundary) const override;
   FieldView view(int field) const override;
   StateImage image() const override;

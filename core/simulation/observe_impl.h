@@ -1,6 +1,7 @@
 // The loop of observe.h.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "material/cone.h"
@@ -26,6 +27,13 @@ inline Strain strain(const State& s, const Scratch& l, const Offset& o, std::siz
   const Real cy = s.displacement_y[j] - s.displacement_y[i] - byx * o.xi_x - byy * o.xi_y;
   const Real nx = o.xi_x * o.inverse_r2, ny = o.xi_y * o.inverse_r2;
   return {bxx + cx * nx, byy + cy * ny, (bxy + byx + cx * ny + cy * nx) / 2};
+}
+
+/// Without its mean, as the records of plastic strain hold it: xx, yy, xy.
+using Three = std::array<Real, 3>;
+inline Three deviator(const Strain& e) {
+  const Real third = (e.xx + e.yy) / 3;
+  return {e.xx - third, e.yy - third, e.xy};
 }
 
 }  // namespace observe_detail

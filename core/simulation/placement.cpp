@@ -1,7 +1,6 @@
 #include "simulation/placement.h"
 
 #include <algorithm>
-#include <array>
 
 #include "simulation/bond_records.h"
 #include "simulation/buckets.h"
@@ -11,7 +10,7 @@ namespace vbgpd {
 
 namespace {
 
-using Three = std::array<double, 3>;  // xx, yy, xy
+using observe_detail::deviator, observe_detail::Three;
 
 /// What a bond brings along: records, and the strain it had.
 struct Carried {
@@ -19,12 +18,6 @@ struct Carried {
   Three plastic{}, placed{}, strain{};
   bool operator<(const Carried& o) const { return i != o.i ? i < o.i : j < o.j; }
 };
-
-/// Without its mean, as the records hold it.
-Three deviator(const observe_detail::Strain& e) {
-  const double third = (e.xx + e.yy) / 3;
-  return {e.xx - third, e.yy - third, e.xy};
-}
 
 Three load(const Array& records, std::size_t r, std::size_t width) {
   if (!records.present()) return {};

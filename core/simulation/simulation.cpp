@@ -34,6 +34,7 @@ void Simulation::set_layers(const Layers&) {
               "the layers of a run-out cannot be switched, its soil has moved; draw a profile of the next stage");
 }
 void Simulation::start_over() { unsupported("start over, its soil has moved"); }
+void Simulation::take_stresses(const Simulation&) { unsupported("take stresses over"); }
 Vec2 Simulation::boundary_reaction(std::size_t) const { unsupported("tell the reaction of a boundary"); }
 FieldView Simulation::view(int) const { unsupported("lend its arrays"); }
 StateImage Simulation::image() const { unsupported("be written to a checkpoint"); }

@@ -183,6 +183,10 @@ class Simulation {
   virtual void set_layers(const Layers& layers);
   /// Soil that has never moved nor yielded, at rest; layers, drive, pressures and forces stay as they are.
   virtual void start_over();
+  /// Displacements and stresses of another simulation of the same section whose soils are less stiff: what strain the
+  /// stress there means and here does not is booked as the shape the soil was placed in. Exact within a soil; in a bond
+  /// between two, where the mean stress is continuous. Throws Error(kArgument) for any other section.
+  virtual void take_stresses(const Simulation& softer);
   /// Force of the wall particles of a boundary on the soil, N per metre run.
   virtual Vec2 boundary_reaction(std::size_t boundary) const;
   /// A field in storage order; "particle_id" tells which particle an item is, -1 = padding.

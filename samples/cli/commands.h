@@ -18,7 +18,8 @@ struct FosOptions {
   std::optional<int> levels;                   ///< grids
   std::optional<double> target_error, budget;  ///< of the factor of safety; wall seconds
   std::optional<std::string> scheme;
-  std::optional<double> tolerance;  ///< width of the bracket
+  std::optional<double> tolerance;           ///< width of the bracket
+  std::optional<double> stiffness_contrast;  ///< soils at most so many times as stiff as the softest
   int threads = 1;
   std::vector<std::string> pictures;
   bool json = false, quiet = false, careful = false;

@@ -58,6 +58,7 @@ Job create_job(const FosOptions& options, vbgpd_model* model) {
   if (options.levels) set("levels", *options.levels);
   if (options.target_error) set("target_error", *options.target_error);
   if (options.budget) set("budget", *options.budget);
+  if (options.stiffness_contrast) set("stiffness_contrast", *options.stiffness_contrast);
   if (options.careful) set("careful", 1);
   return job;
 }

@@ -43,6 +43,10 @@ void describe_fos(CLI::App& app, FosOptions& options) {
   app.add_option("--tolerance", options.tolerance, "width of the bracket asked for, instead of the scene's")
       ->type_name("T")
       ->check(CLI::PositiveNumber);
+  app.add_option("--stiffness-contrast", options.stiffness_contrast,
+                 "soils count as at most this many times as stiff as the softest one (default 3)")
+      ->type_name("R")
+      ->check(CLI::Range(1.0, 1e12));
   app.add_option("--picture", options.pictures,
                  "draw the section, the plastic strain and the slip surface; may be repeated")
       ->type_name("FILE.svg|.png|.pdf")

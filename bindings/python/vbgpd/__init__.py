@@ -494,7 +494,8 @@ class Job(_Object):
 
     @classmethod
     def strength_reduction(cls, model, **options):
-        """Finds the factor of safety. Options: srf_min, srf_max, srf_tolerance, levels, target_error, budget, careful, step_limit."""
+        """Finds the factor of safety. Options: srf_min, srf_max, srf_tolerance, levels, target_error, budget, careful, step_limit,
+        stiffness_contrast."""
         job = cls(model, "vbgpd_job_create_strength_reduction")
         for name, value in options.items():
             job.set(name, value)

@@ -342,6 +342,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_equilibrium(vbgpd_model*, vbg
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_strength_reduction(vbgpd_model*, vbgpd_job** out);
 /* "srf_min", "srf_max", "srf_tolerance" (taken from the profile), "careful" (0 fast search then verification, 1 plain
  * bisection from the gravity state), "step_limit" (per trial). Before the first _run only.
+ * "stiffness_contrast" (3): soils that yield count as at most so many times as stiff as the softest one, which leaves the factor
+ * of safety as it is and saves most of the time; "reason" says where it did. The model then takes over displacements and
+ * stresses of the failing state, the strain that differs is the shape its soil was placed in; without a bracket it is as it was.
  * "levels": grids, coarse to fine, 1 to 5, the last with the spacing of the profile; each starts from the factor of the one
  * before. "target_error": ends as soon as error_estimate is that small, brackets are narrowed to a third of it. "budget":
  * wall seconds inside _run; a grid that is predicted to outlast it is not begun, one that does is given up. levels 0 (default)
