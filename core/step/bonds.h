@@ -52,6 +52,14 @@ VBGPD_INLINE void add_cohesion(LawOnPacks& law, const StepData& d, const Control
   law.k += extra;
 }
 
+/// Records follow each other in the order of the packs, in and out of cache by far more than one batch: those of the
+/// batch after next are asked for.
+VBGPD_INLINE void fetch_ahead(const double* record) {
+  constexpr int kRecords = 24;
+  const double* const ahead = record + 3l * kWidth * kRecords;
+  for (int line = 0; line < 3 * kWidth; line += 8) __builtin_prefetch(ahead + line, 1);
+}
+
 /// VB3: trial stress in total form, from the strain that is not plastic.
 template <class Sites, class LawOnPacks>
 VBGPD_INLINE void trial_stress(const StepData& d, const BondEnd& a, const BondPack& pack, const LawOnPacks& law,
@@ -61,13 +69,15 @@ VBGPD_INLINE void trial_stress(const StepData& d, const BondEnd& a, const BondPa
   const BondStrain e = twice_bond_strain(a, d, j, w.bond);
   const Pack third = (e.xx + e.yy) * (1.0 / 3.0);
   const double shear = law.shear;
-  w.stress = {shear * (e.xx - third), shear * (e.yy - third), shear * e.xy,
-              (0.5 * law.bulk) * (a.dilation + load(d.dilation + j))};
+  Stress<Pack> s{shear * (e.xx - third), shear * (e.yy - third), shear * e.xy,
+                 (0.5 * law.bulk) * (a.dilation + load(d.dilation + j))};
   if (d.plastic_strain != nullptr) {
     const double* const record = d.plastic_strain + 3l * kWidth * pack.slot;
-    w.stress.xx -= 2 * shear * load(record), w.stress.yy -= 2 * shear * load(record + kWidth);
-    w.stress.xy -= 2 * shear * load(record + 2 * kWidth);
+    fetch_ahead(record);
+    s.xx -= 2 * shear * load(record), s.yy -= 2 * shear * load(record + kWidth);
+    s.xy -= 2 * shear * load(record + 2 * kWidth);
   }
+  w.stress = s;
   // B_ij/2 = omega_ij V_i V_j (1/omega0_i + 1/omega0_j) / 2
   const Pack half = (a.volume * load(d.share + j) + a.share * load(d.volume + j)) * (0.5 * w.bond->weight);
   w.half = visible(half, pack.lanes);
@@ -138,7 +148,6 @@ inline double bond_pass(const StepData& shared, const Controls& shared_controls,
   constexpr int algorithm = Law<Pack>::kAlgorithm;
   constexpr int kMost = 16;
   double plastic_work = 0;
-  const bool sourced = d.volume_source != nullptr;
   const int end = chunk.packs_end[algorithm];
   BondWork<Sites> work[kMost];
   for (int p = chunk.packs_begin[algorithm]; p < end;) {
@@ -149,6 +158,7 @@ inline double bond_pass(const StepData& shared, const Controls& shared_controls,
     const LawConstants constants = controls.constants[batch->pair];
     const double compliance = 0.5 / constants.shear_modulus;
     Law<Pack> law(constants);
+    const bool sourced = d.volume_source != nullptr && law.b > 0;  // isochoric flow is no source
     const BondEnd a = bond_end(d, batch->i);
     for (int n = 0; n < count; ++n) trial_stress(d, a, batch[n], law, work[n]);
     for (int n = 0; n < count; ++n) {
