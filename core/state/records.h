@@ -11,14 +11,20 @@ struct Offset {
   double xi_x = 0, xi_y = 0;  ///< X_j - X_i, m
   double weight = 0;          ///< omega_ij = W(r), 1/m2
   double inverse_r2 = 0;      ///< 1/m2
-  double n_x = 0, n_y = 0;    ///< xi / r^2, 1/m
   double g_x = 0, g_y = 0;    ///< omega_ij xi, 1/m
+  // as bonds take them, with the factors that the mean of two ends brings
+  double half_x = 0, half_y = 0;        ///< xi / 2, m
+  double twice_n_x = 0, twice_n_y = 0;  ///< 2 xi / r^2, 1/m
+  double half_weight = 0;               ///< omega_ij / 2
+  double pull = 0;                      ///< 4 / r^2, 1/m2
 };
 
 /// Of the pair a vector xi apart; a particle is at no offset from itself.
 inline Offset offset_of(double xi_x, double xi_y, double weight) {
   const double r2 = xi_x * xi_x + xi_y * xi_y, inverse_r2 = r2 > 0 ? 1 / r2 : 0;
-  return {xi_x, xi_y, weight, inverse_r2, xi_x * inverse_r2, xi_y * inverse_r2, weight * xi_x, weight * xi_y};
+  const double twice = 2 * inverse_r2;
+  return {xi_x,     xi_y,     weight,       inverse_r2,   weight * xi_x, weight * xi_y,
+          xi_x / 2, xi_y / 2, xi_x * twice, xi_y * twice, weight / 2,    2 * twice};
 }
 
 /// `width` bonds between particles i.. and j.., all of one pair of materials. Sorted by return algorithm, then block.

@@ -20,18 +20,18 @@ VBGPD_INLINE BondEnd bond_end(const StepData& d, int i) {
           load(d.lyy + i), load(d.dilation + i), load(d.volume + i), load(d.share + i)};
 }
 
-/// Twice the symmetric bond strain (VB2): L_ij = Lbar + (du/r - Lbar n) (x) n stretches the bond exactly.
+/// Twice the bond strain (VB2), engineering shear: L_ij = Lbar + (du/r - Lbar n) (x) n stretches the bond exactly.
 struct BondStrain {
-  Pack xx, yy, xy;
+  Pack xx, yy, xy;  ///< 2 e_xx, 2 e_yy, 4 e_xy
 };
 template <class Bond>
 VBGPD_INLINE BondStrain twice_bond_strain(const BondEnd& a, const StepData& d, int j, const Bond& o) {
   const Pack sxx = a.lxx + load(d.lxx + j), sxy = a.lxy + load(d.lxy + j);
   const Pack syx = a.lyx + load(d.lyx + j), syy = a.lyy + load(d.lyy + j);
   const Pack dx = load(d.ux + j) - a.ux, dy = load(d.uy + j) - a.uy;
-  const Pack cx = (dx + dx) - sxx * o->xi_x - sxy * o->xi_y;
-  const Pack cy = (dy + dy) - syx * o->xi_x - syy * o->xi_y;
-  return {sxx + cx * o->n_x, syy + cy * o->n_y, ((sxy + syx) + cx * o->n_y + cy * o->n_x) * 0.5};
+  const Pack cx = dx - sxx * o->half_x - sxy * o->half_y;
+  const Pack cy = dy - syx * o->half_x - syy * o->half_y;
+  return {sxx + cx * o->twice_n_x, syy + cy * o->twice_n_y, (sxy + syx) + cx * o->twice_n_y + cy * o->twice_n_x};
 }
 
 /// A pack of bonds while it is worked on: stress, first trial, then returned, then times half the bond volume.
@@ -67,9 +67,8 @@ VBGPD_INLINE void trial_stress(const StepData& d, const BondEnd& a, const BondPa
   w.bond = Sites::bond(d, pack);
   const int j = pack.j;
   const BondStrain e = twice_bond_strain(a, d, j, w.bond);
-  const Pack third = (e.xx + e.yy) * (1.0 / 3.0);
-  const double shear = law.shear;
-  Stress<Pack> s{shear * (e.xx - third), shear * (e.yy - third), shear * e.xy,
+  const double shear = law.shear, third = shear / 3;
+  Stress<Pack> s{2 * third * e.xx - third * e.yy, 2 * third * e.yy - third * e.xx, 0.5 * shear * e.xy,
                  (0.5 * law.bulk) * (a.dilation + load(d.dilation + j))};
   if (d.plastic_strain != nullptr) {
     const double* const record = d.plastic_strain + 3l * kWidth * pack.slot;
@@ -79,7 +78,7 @@ VBGPD_INLINE void trial_stress(const StepData& d, const BondEnd& a, const BondPa
   }
   w.stress = s;
   // B_ij/2 = omega_ij V_i V_j (1/omega0_i + 1/omega0_j) / 2
-  const Pack half = (a.volume * load(d.share + j) + a.share * load(d.volume + j)) * (0.5 * w.bond->weight);
+  const Pack half = (a.volume * load(d.share + j) + a.share * load(d.volume + j)) * w.bond->half_weight;
   w.half = visible(half, pack.lanes);
 }
 
@@ -115,10 +114,10 @@ VBGPD_INLINE void add_loads(const StepData& d, int i, const BondPack* packs, con
     const auto& o = loads[p].bond;
     const Stress<Pack>& s = loads[p].stress;
     const int j = packs[p].j;
-    const Pack tx = s.xx * o->xi_x + s.xy * o->xi_y, ty = s.xy * o->xi_x + s.yy * o->xi_y;
-    const Pack sxx = (s.xx + s.m) - tx * o->n_x, sxy = s.xy - tx * o->n_y;
-    const Pack syx = s.xy - ty * o->n_x, syy = (s.yy + s.m) - ty * o->n_y;
-    const Pack fx = tx * (2 * o->inverse_r2), fy = ty * (2 * o->inverse_r2);
+    const Pack tx = s.xx * o->half_x + s.xy * o->half_y, ty = s.xy * o->half_x + s.yy * o->half_y;
+    const Pack sxx = (s.xx + s.m) - tx * o->twice_n_x, sxy = s.xy - tx * o->twice_n_y;
+    const Pack syx = s.xy - ty * o->twice_n_x, syy = (s.yy + s.m) - ty * o->twice_n_y;
+    const Pack fx = tx * o->pull, fy = ty * o->pull;
     zxx += sxx, zxy += sxy, zyx += syx, zyy += syy, px += fx, py += fy;
     add(d.zxx + j, sxx), add(d.zxy + j, sxy), add(d.zyx + j, syx), add(d.zyy + j, syy);
     add(d.px + j, -fx), add(d.py + j, -fy);

@@ -23,14 +23,15 @@ struct OnLattice {
 
 struct OffLattice {
   struct Offset {
-    Pack xi_x, xi_y, weight, inverse_r2, n_x, n_y;
+    Pack half_x, half_y, twice_n_x, twice_n_y, half_weight, pull;
     const Offset* operator->() const { return this; }
   };
   using Bond = Offset;
   VBGPD_INLINE static Bond bond(const StepData& d, const BondPack& p) {
     const Pack x = load(d.place_x + p.j) - load(d.place_x + p.i), y = load(d.place_y + p.j) - load(d.place_y + p.i);
-    const Pack inverse_r2 = 1.0 / larger(x * x + y * y, broadcast(d.least_r2));
-    return {x, y, load(d.pair_weight + static_cast<long>(kWidth) * p.slot), inverse_r2, x * inverse_r2, y * inverse_r2};
+    const Pack twice = 2.0 / larger(x * x + y * y, broadcast(d.least_r2));
+    const Pack weight = load(d.pair_weight + static_cast<long>(kWidth) * p.slot);
+    return {0.5 * x, 0.5 * y, x * twice, y * twice, 0.5 * weight, twice + twice};
   }
   VBGPD_INLINE static void operator_of(const StepData& d, int n, const Block& block, Pack& gx, Pack& gy) {
     const int i = block.first, j = d.neighbours[n].j;

@@ -40,7 +40,7 @@ class PythonFace(unittest.TestCase):
         timer.start()
         with self.assertRaises(KeyboardInterrupt):
             job.run()
-        self.assertEqual(job.run(seconds=0.2), vbgpd.Status.LIMIT_REACHED)
+        self.assertEqual(job.run(seconds=0.01), vbgpd.Status.LIMIT_REACHED)
 
     def test_a_true_answer_of_the_callback_stops_the_run(self):
         model = vbgpd.Model(self.context, make_profile(self.context, 0.25))

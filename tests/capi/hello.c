@@ -9,7 +9,7 @@ static vbgpd_progress run_in_slices(vbgpd_job* job) {
   memset(&progress, 0, sizeof progress);
   progress.struct_size = sizeof progress;
   do {
-    status = vbgpd_job_run(job, 0.05, NULL, NULL, &progress);
+    status = vbgpd_job_run(job, 0.001, NULL, NULL, &progress);
     CHECK(progress.fraction >= 0 && progress.fraction <= 1);
     CHECK(progress.fraction >= last_fraction - 0.5); /* an estimate: it may step back, not start again */
     last_fraction = progress.fraction;
