@@ -25,6 +25,16 @@ bool any(const std::vector<MaterialDef>& materials, bool (*has)(const MaterialDe
 
 bool yields(const MaterialDef& m) { return m.law != "elastic"; }
 
+bool uneven_stiffness(const std::vector<MaterialDef>& materials) {
+  const MaterialDef* first = nullptr;
+  for (const MaterialDef& m : materials) {
+    if (!yields(m)) continue;
+    if (first == nullptr) first = &m;
+    else if (m.young_modulus != first->young_modulus) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Feature> scene_features(const SceneDef& s) {
@@ -40,6 +50,8 @@ std::vector<Feature> scene_features(const SceneDef& s) {
       {"mohr_coulomb law", "hexagon, closed-form return with edges and apex", has_law("mohr_coulomb")},
       {"undrained law", "cohesion only", has_law("undrained")},
       {"several materials", "bonds between two materials take the weaker strength", s.materials.size() > 1},
+      {"uneven stiffness", "soils of different stiffness; strength reduction evens them out beyond stiffness_contrast",
+       uneven_stiffness(s.materials)},
       {"dilatancy", "a dilatancy angle above 0",
        any(s.materials, [](const MaterialDef& m) { return yields(m) && m.dilatancy_angle > 0; })},
       {"tension cut-off", "a tension cut-off below the apex of the cone",

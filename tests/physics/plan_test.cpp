@@ -74,11 +74,26 @@ TEST(Plan, WhatIsLeftOutHasNoBytes) {
 
 TEST(Plan, OfTheSimplestSceneLeavesEverythingOut) {
   const auto simulation = compiled(dry_elastic("none"));
-  for (const char* name :
-       {"virtual bonds", "plasticity", "volumetric plasticity", "cohesion gradient", "several materials", "dilatancy",
-        "dilatancy across stiffness", "tension cut-off", "seismic coefficients", "surface loads", "moving boundaries",
-        "damping", "energy ledger", "quasi-static relaxation", "dynamic steps", "fields and monitors", "workers",
-        "mohr_coulomb law", "jitter"})
+  for (const char* name : {"virtual bonds",
+                           "plasticity",
+                           "volumetric plasticity",
+                           "cohesion gradient",
+                           "several materials",
+                           "dilatancy",
+                           "dilatancy across stiffness",
+                           "uneven stiffness",
+                           "tension cut-off",
+                           "seismic coefficients",
+                           "surface loads",
+                           "moving boundaries",
+                           "damping",
+                           "energy ledger",
+                           "quasi-static relaxation",
+                           "dynamic steps",
+                           "fields and monitors",
+                           "workers",
+                           "mohr_coulomb law",
+                           "jitter"})
     EXPECT_FALSE(feature(*simulation, name).used) << name;
   EXPECT_TRUE(feature(*simulation, "elastic law").used);
 }
@@ -87,8 +102,8 @@ TEST(Plan, OfTheFullSceneUsesEverything) {
   const auto simulation = compiled(everything());
   for (const char* name :
        {"virtual bonds", "plasticity", "volumetric plasticity", "cohesion gradient", "dilatancy across stiffness",
-        "several materials", "dilatancy", "tension cut-off", "seismic coefficients", "surface loads",
-        "moving boundaries", "guided walls", "mohr_coulomb law", "undrained law", "jitter"})
+        "uneven stiffness", "several materials", "dilatancy", "tension cut-off", "seismic coefficients",
+        "surface loads", "moving boundaries", "guided walls", "mohr_coulomb law", "undrained law", "jitter"})
     EXPECT_TRUE(feature(*simulation, name).used) << name;
   EXPECT_FALSE(feature(*simulation, "damping").used);
   simulation->set("damping", 0.3);
