@@ -269,7 +269,10 @@ void build_chunks(Model& m) {
     for (auto& s : sorted) s.clear();
     for (; next < m.packs.size() && m.packs[next].i < end; ++next)
       sorted[algorithm_of_pack(m, m.packs[next])].push_back(m.packs[next]);
+    // bonds of a block that join the same materials are worked on together
+    const auto before = [](const BondPack& p, const BondPack& q) { return p.i != q.i ? p.i < q.i : p.pair < q.pair; };
     for (int a = 0; a < 2; ++a) {
+      std::stable_sort(sorted[a].begin(), sorted[a].end(), before);
       chunk.packs_begin[a] = static_cast<std::int32_t>(packs.size());
       packs.insert(packs.end(), sorted[a].begin(), sorted[a].end());
       chunk.packs_end[a] = static_cast<std::int32_t>(packs.size());
