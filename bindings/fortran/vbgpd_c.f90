@@ -72,6 +72,7 @@ module vbgpd_c
   integer(c_int32_t), parameter :: VBGPD_EVENT_AT_REST = 2
   integer(c_int32_t), parameter :: VBGPD_EVENT_MECHANISM = 3
   integer(c_int32_t), parameter :: VBGPD_EVENT_DIVERGED = 4
+  integer(c_int32_t), parameter :: VBGPD_EVENT_NEAR_DIVERGENCE = 5
 
   type, bind(C) :: vbgpd_error_info
     integer(c_int32_t) :: struct_size = 56

@@ -39,9 +39,14 @@ vbgpd_event& EventLog::add(std::int32_t kind, const Simulation& simulation, doub
   return event;
 }
 
-void EventLog::look(const Simulation& simulation, const Monitors& monitors, bool diverged) noexcept {
-  constexpr double kRest = 1e-5;  // of the forces, as in the search for the factor of safety
-  if (diverged) add(VBGPD_EVENT_DIVERGED, simulation, kNone);
+void EventLog::look(const Simulation& simulation, const Monitors& monitors, const StepReport& report) noexcept {
+  constexpr double kRest = 1e-5;                    // of the forces, as in the search for the factor of safety
+  constexpr double kFast = 0.2, kUnbalanced = 0.5;  // shares of the limits: an unstable speed trebles from step to step
+  const bool near = report.speed_share > kFast || report.energy_share > kUnbalanced;
+  if (near && !near_divergence_)
+    add(VBGPD_EVENT_NEAR_DIVERGENCE, simulation, std::max(report.speed_share, report.energy_share));
+  near_divergence_ = near;
+  if (report.status == Status::kDiverged) add(VBGPD_EVENT_DIVERGED, simulation, kNone);
   if (monitors.plastic_bonds > 0 && !yielded_) {
     vbgpd_event& event = add(VBGPD_EVENT_FIRST_YIELD, simulation, kNone);
     try {
@@ -57,12 +62,12 @@ void EventLog::look(const Simulation& simulation, const Monitors& monitors, bool
 
 void EventLog::mechanism(const Simulation& simulation) noexcept {
   add(VBGPD_EVENT_MECHANISM, simulation, simulation.get("strength_reduction_factor"));
-  yielded_ = true, at_rest_ = false;
+  yielded_ = true, at_rest_ = near_divergence_ = false;
 }
 
 void EventLog::forget(const Simulation& simulation) {
   yielded_ = simulation.get("plastic_bonds") > 0;
-  at_rest_ = false;
+  at_rest_ = near_divergence_ = false;
 }
 
 }  // namespace vbgpd::capi

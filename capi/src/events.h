@@ -12,7 +12,7 @@ namespace vbgpd::capi {
 class EventLog {
  public:
   /// Looks at a model after dynamic steps; events are told with the time at which they were noticed.
-  void look(const Simulation& simulation, const Monitors& monitors, bool diverged) noexcept;
+  void look(const Simulation& simulation, const Monitors& monitors, const StepReport& report) noexcept;
   void mechanism(const Simulation& simulation) noexcept;
   /// The model was taken back or forth: nothing has happened, but what counts as new has changed.
   void forget(const Simulation& simulation);
@@ -26,7 +26,7 @@ class EventLog {
   vbgpd_event& add(std::int32_t kind, const Simulation& simulation, double value) noexcept;
   std::array<vbgpd_event, kKept> ring_{};
   std::int64_t newest_ = 0;
-  bool yielded_ = false, at_rest_ = false;
+  bool yielded_ = false, at_rest_ = false, near_divergence_ = false;
 };
 
 }  // namespace vbgpd::capi

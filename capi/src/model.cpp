@@ -25,13 +25,13 @@ vbgpd_advance_result result_of(const Simulation& simulation, const StepReport& r
   return result;
 }
 
-[[noreturn]] void report_divergence(const vbgpd_advance_result& last_good) {
+[[noreturn]] void report_divergence(const vbgpd_advance_result& last_good, const char* cause) {
   Issue issue;
   issue.status = Status::kDiverged;
   issue.object = ObjectKind::kModel;
   issue.value = last_good.time;
-  issue.text = "The model diverged after " + std::to_string(last_good.steps) +
-               " steps of this call; it is back at its last good step, at " + number_text(last_good.time) + " s.";
+  issue.text = "The model diverged after " + std::to_string(last_good.steps) + " steps of this call: " + cause +
+               "; it is back at its last good step, at " + number_text(last_good.time) + " s.";
   throw Error(issue);
 }
 
@@ -40,10 +40,10 @@ Status conclude(ModelObject& object, const StepReport& report, vbgpd_advance_res
   if (report.status == Status::kCancelled) object.cancel.store(false, std::memory_order_relaxed);
   Engine& engine = *object.engine;
   const Monitors monitors = engine.simulation->monitors_after(report);
-  engine.events.look(*engine.simulation, monitors, report.status == Status::kDiverged);
+  engine.events.look(*engine.simulation, monitors, report);
   const vbgpd_advance_result result = result_of(*engine.simulation, report, monitors);
   fill(r, result);
-  if (report.status == Status::kDiverged) report_divergence(result);
+  if (report.status == Status::kDiverged) report_divergence(result, report.cause);
   return report.status;
 }
 

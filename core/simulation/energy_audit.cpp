@@ -28,22 +28,23 @@ void LatticeSimulation::begin_audit() {
   audit_.valid = true;
 }
 
-bool LatticeSimulation::passes_audit() {
+Real LatticeSimulation::audit() {
   constexpr std::int64_t kEvery = 512;
   constexpr Real kTolerated = 0.05, kNoise = 1e-3;
-  if (!audit_.valid || steps_ - audit_.steps < kEvery) return true;
+  if (!audit_.valid || steps_ - audit_.steps < kEvery) return 0;
   const Real gained = stored_energy() - audit_.stored, booked = ledger_.booked() - audit_.ledger.booked();
   // energies this small against the elastic energy of the section's own weight are noise
   const Real least = kNoise * model_.stress_scale * model_.stress_scale / model_.stiffness * section_.area;
   const Real scale =
       std::max({least, kinetic_energy(), std::fabs(gained), std::fabs(ledger_.external - audit_.ledger.external),
                 ledger_.plastic - audit_.ledger.plastic, ledger_.damping - audit_.ledger.damping});
-  if (std::fabs(gained - booked) <= kTolerated * scale) {
+  const Real share = std::fabs(gained - booked) / (kTolerated * scale);
+  if (share <= 1) {
     begin_audit();
-    return true;
+    return share;
   }
   state_ = audit_.state, ledger_ = audit_.ledger, time_ = audit_.time, steps_ = audit_.steps;
-  return false;
+  return std::isfinite(share) ? share : kInfinity;
 }
 
 }  // namespace vbgpd

@@ -28,9 +28,10 @@ StepReport FlowSimulation::march(const Goal& goal, const StepWatch& watch) {
     if (!(sums.velocity2 < runaway * runaway)) {
       restore(*kept);
       report.steps = kept_at;
-      report.status = Status::kDiverged;
+      report.status = Status::kDiverged, report.cause = kOutranWaves;
       return report;
     }
+    report.speed_share = std::max(report.speed_share, std::sqrt(sums.velocity2) / runaway);
     ledger_.external += sums.external, ledger_.internal += sums.internal, ledger_.bond += sums.bond;
     ledger_.viscous += sums.viscous, ledger_.damping += sums.damping, ledger_.contact += sums.contact - sums.wall;
     peak_kinetic_ = std::max(peak_kinetic_, sums.kinetic);

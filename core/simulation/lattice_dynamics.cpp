@@ -41,16 +41,23 @@ StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
     if (!(sums.velocity2 < runaway)) {
       state_ = kept, ledger_ = kept_ledger;
       steps_ -= report.steps - kept_at, time_ = kept_time;
-      return {kept_at, Status::kDiverged, {}};
+      return {kept_at, Status::kDiverged, {}, report.speed_share, report.energy_share, kOutranWaves};
     }
     ledger_.external += sums.external_work, ledger_.damping -= sums.damping_work, ledger_.plastic += sums.plastic_work;
     ++steps_, ++report.steps;
     time_ = length.last ? goal.time : time_ + c.time_step;
     last_time_step_ = c.time_step;
     report.unbalanced_force_ratio = unbalanced_force_ratio(sums);
-    if (!passes_audit()) {
-      return {std::max<std::int64_t>(0, steps_ - steps_before), Status::kDiverged, {}};
-    }
+    report.speed_share = std::max(report.speed_share, std::sqrt(sums.velocity2 / runaway));
+    const Real energy_share = audit();
+    if (energy_share > 1)
+      return {std::max<std::int64_t>(0, steps_ - steps_before),
+              Status::kDiverged,
+              {},
+              report.speed_share,
+              report.energy_share,
+              kEnergyFromNothing};
+    report.energy_share = std::max(report.energy_share, energy_share);
   }
   return report;
 }

@@ -113,8 +113,9 @@ class LatticeSimulation final : public Simulation {
   /// Kinetic and elastic energy at the time of the displacements.
   Real stored_energy() const;
   void begin_audit();
-  /// False when energy has come out of nothing since the audit before; every so many steps.
-  bool passes_audit();
+  /// Energy that has come out of nothing since the audit before, as a share of what is tolerated; above 1 the state is
+  /// that of the audit before. Every so many steps, 0 between.
+  Real audit();
   /// Work of the internal forces over the half step by which velocities lag behind displacements (leap-frog).
   Real half_step_work() const;
   void read_particles(int field, std::vector<double>& out) const;

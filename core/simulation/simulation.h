@@ -70,7 +70,12 @@ struct StepReport {
   std::int64_t steps = 0;
   Status status = Status::kOk;  ///< kOk, kCancelled or kDiverged (then the state is that of the last good step)
   std::optional<Real> unbalanced_force_ratio{};  ///< of the forces the last step moved with; none without a good step
+  Real speed_share = 0, energy_share = 0;  ///< largest shares of the two limits that good steps reached; given up at 1
+  const char* cause = nullptr;             ///< of kDiverged, in words
 };
+/// Of StepReport: a particle whose speed the method cannot follow, energy that nobody put in.
+inline constexpr const char* kOutranWaves = "a particle outran the waves";
+inline constexpr const char* kEnergyFromNothing = "energy came out of nothing";
 
 /// Asked between two steps of a long run: kOk = go on; kCancelled and kLimitReached end it there.
 using StepWatch = std::function<Status()>;

@@ -55,6 +55,33 @@ static void mechanisms_and_rest_are_told(vbgpd_context* context) {
   CHECK_OK(vbgpd_model_destroy(model));
 }
 
+/* A host that steps one by one with steps too long hears of it before it is over, and why in words. */
+static void divergence_is_announced(vbgpd_context* context) {
+  vbgpd_profile* slope = make_profile(context, 1);
+  vbgpd_model* model = NULL;
+  vbgpd_event e[8];
+  vbgpd_status status = VBGPD_OK;
+  char text[300];
+  int64_t n, k, near = -1, over = -1, steps = 0;
+  CHECK_OK(vbgpd_profile_set_text(slope, VBGPD_OBJECT_MATERIAL, 0, "law", VBGPD_STRLEN, "elastic", VBGPD_STRLEN));
+  CHECK_OK(vbgpd_model_create(context, slope, &model));
+  CHECK_OK(vbgpd_model_step(model, 500, NULL));
+  CHECK(events_of(model, 0, e, 8) == 0); /* nothing to tell of good steps */
+  CHECK_OK(vbgpd_model_set_f64(model, "time_step_factor", VBGPD_STRLEN, 1.2));
+  for (; status == VBGPD_OK && steps < 2000; ++steps) status = vbgpd_model_step(model, 1, NULL);
+  CHECK_STATUS(VBGPD_E_DIVERGED, status);
+  CHECK_OK(vbgpd_model_error(model, NULL, text, sizeof text, NULL));
+  CHECK_CONTAINS(text, "a particle outran the waves");
+  n = events_of(model, 0, e, 8);
+  for (k = 0; k < n; ++k) {
+    if (e[k].kind == VBGPD_EVENT_NEAR_DIVERGENCE) near = k;
+    if (e[k].kind == VBGPD_EVENT_DIVERGED) over = k;
+  }
+  CHECK(near >= 0 && over > near && e[near].value > 0.2 && e[near].value <= 1);
+  CHECK_OK(vbgpd_model_destroy(model));
+  CHECK_OK(vbgpd_profile_destroy(slope));
+}
+
 /* Small events of an older caller, far apart; wrong arguments. */
 static void events_of_other_sizes(vbgpd_context* context) {
   vbgpd_model* model = make_model(context, 1);
@@ -84,6 +111,7 @@ int main(void) {
   vbgpd_context* context = make_context();
   first_yield_is_told_once(context);
   mechanisms_and_rest_are_told(context);
+  divergence_is_announced(context);
   events_of_other_sizes(context);
   CHECK_OK(vbgpd_context_destroy(context));
   return 0;

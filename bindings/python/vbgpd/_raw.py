@@ -67,6 +67,7 @@ VBGPD_EVENT_FIRST_YIELD = 1
 VBGPD_EVENT_AT_REST = 2
 VBGPD_EVENT_MECHANISM = 3
 VBGPD_EVENT_DIVERGED = 4
+VBGPD_EVENT_NEAR_DIVERGENCE = 5
 
 
 # ---- handles: a type each, so that ctypes refuses a profile where a model is wanted

@@ -481,6 +481,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_state_hash(const vbgpd_model*, uin
 #define VBGPD_EVENT_AT_REST 2     /* dynamic steps came to rest: value = unbalanced force ratio, below 1e-5 */
 #define VBGPD_EVENT_MECHANISM 3   /* a job found the slope failing: value = strength reduction factor of the model */
 #define VBGPD_EVENT_DIVERGED 4    /* the model is back at the last good step */
+/* dynamic steps reached a fifth of the speed, or half of the energy out of nothing, that ends them: value = share of that limit */
+#define VBGPD_EVENT_NEAR_DIVERGENCE 5
 typedef struct vbgpd_event {
   uint32_t struct_size;
   int32_t kind;         /* VBGPD_EVENT_* */
