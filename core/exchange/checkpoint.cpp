@@ -80,7 +80,10 @@ StateImage state_from(const schema::Checkpoint& from) {
   }
   // what is claimed must be there: no more particles are ever built than the bytes hold
   state.runs_out = from.runs_out();
-  if (state.runs_out && from.format() < 2) refuse("is of a run-out, which format 1 does not know");
+  if (state.runs_out && from.format() < kCheckpointFormat)
+    throw Error(Status::kVersion, "the checkpoint is of a run-out in format " + std::to_string(from.format()) +
+                                      ", whose neighbours are in another order; this library reads format " +
+                                      std::to_string(kCheckpointFormat) + " only");
   const std::string_view where = state.runs_out ? "position" : "displacement";
   const bool whole = std::any_of(state.rows.begin(), state.rows.end(), [&](const StateImage::Rows& r) {
     return r.name == where && static_cast<std::int64_t>(r.values.size()) == 2 * state.particles;
@@ -131,9 +134,10 @@ std::vector<std::uint8_t> checkpoint_to_bytes(const Checkpoint& c) {
   const auto row_list = out.CreateVector(rows);
   const auto plastic_list = out.CreateVectorOfStructs(bonds(c.state.plastic));
   const auto placed_list = c.state.placed_strain.empty() ? 0 : out.CreateVectorOfStructs(bonds(c.state.placed_strain));
-  const auto root = schema::CreateCheckpoint(
-      out, c.state.runs_out ? 2 : 1, scene_bytes, c.spacing_factor, c.lattice_multiple, c.coarsening, c.state.particles,
-      c.state.bonds, number_list, row_list, plastic_list, c.state.hash, c.state.placed, placed_list, c.state.runs_out);
+  const auto root =
+      schema::CreateCheckpoint(out, c.state.runs_out ? kCheckpointFormat : 1, scene_bytes, c.spacing_factor,
+                               c.lattice_multiple, c.coarsening, c.state.particles, c.state.bonds, number_list,
+                               row_list, plastic_list, c.state.hash, c.state.placed, placed_list, c.state.runs_out);
   schema::FinishCheckpointBuffer(out, root);
   return {out.GetBufferPointer(), out.GetBufferPointer() + out.GetSize()};
 }

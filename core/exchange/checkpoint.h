@@ -11,7 +11,8 @@
 
 namespace vbgpd {
 
-inline constexpr std::uint32_t kCheckpointFormat = 2;  ///< the newest that is read; models at rest are written as 1
+/// The newest that is read, and that of run-outs; models at rest are written as 1.
+inline constexpr std::uint32_t kCheckpointFormat = 3;
 
 struct Checkpoint {
   SceneDef scene;
@@ -22,7 +23,8 @@ struct Checkpoint {
 
 /// Throws Error(kLimit) beyond the two gigabytes a flatbuffer can hold.
 std::vector<std::uint8_t> checkpoint_to_bytes(const Checkpoint& checkpoint);
-/// Throws Error(kFormat) for anything but a whole checkpoint, Error(kVersion) for a newer format.
+/// Throws Error(kFormat) for anything but a whole checkpoint, Error(kVersion) for a newer format or a run-out in an
+/// older one.
 Checkpoint checkpoint_from_bytes(std::span<const std::uint8_t> bytes);
 
 }  // namespace vbgpd

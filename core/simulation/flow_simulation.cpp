@@ -6,6 +6,7 @@
 
 #include "scene/wording.h"
 #include "simulation/build_flow.h"
+#include "state/flow_drift.h"
 #include "state/flow_neighbours.h"
 
 namespace vbgpd {
@@ -189,7 +190,7 @@ FlowControls FlowSimulation::controls() const {
 
 void FlowSimulation::refresh_neighbours() {
   const Real room = model_.options.skin * model_.spacing / 2;
-  if (last_.displacement2 > room * room) state_was_changed();
+  if (last_.displacement2 > room * room && !lists_serve(model_, state_, lists_)) state_was_changed();
 }
 
 bool FlowSimulation::evaluate(FlowState& state, const FlowControls& c, FlowSums& sums) const {

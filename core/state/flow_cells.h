@@ -10,11 +10,11 @@
 
 namespace vbgpd {
 
-/// Cells as large as the reach, wrapped around: a particle that flies off costs no memory, and a pair that only meets
-/// around the wrap is too far apart to count.
+/// Square cells, wrapped around: a particle that flies off costs no memory, and a pair that only meets around the wrap
+/// is too far apart to count.
 class Cells {
  public:
-  Cells(const FlowModel& m, const Array& xy, Real reach) : inverse_(1 / reach) {
+  Cells(const FlowModel& m, const Array& xy, Real size) : inverse_(1 / size) {
     Real low[2] = {kInfinity, kInfinity}, high[2] = {-kInfinity, -kInfinity};
     const auto n = static_cast<std::size_t>(m.particles);
     for (std::size_t i = 0; i < 2 * n; ++i)
@@ -59,21 +59,21 @@ class Cells {
   std::int64_t count_[2] = {4, 4};
 };
 
-/// Items of each cell, in the order of their numbers, and where they are.
+/// Items of each cell, in the order of their numbers, and where they are; the cell of each item.
 struct Bins {
   std::vector<std::int32_t> begin, items;
+  std::vector<std::int64_t> cell;
   std::vector<Real> x, y;
-  Bins(const Cells& cells, const Real* xy, std::size_t n) : items(n), x(n), y(n) {
+  Bins(const Cells& cells, const Real* xy, std::size_t n) : items(n), cell(n), x(n), y(n) {
     begin.assign(static_cast<std::size_t>(cells.size()) + 1, 0);
-    std::vector<std::int64_t> where(n);
     for (std::size_t i = 0; i < n; ++i) {
-      where[i] = cells.cell_at(xy[2 * i], xy[2 * i + 1]);
-      ++begin[static_cast<std::size_t>(where[i]) + 1];
+      cell[i] = cells.cell_at(xy[2 * i], xy[2 * i + 1]);
+      ++begin[static_cast<std::size_t>(cell[i]) + 1];
     }
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
     for (std::size_t i = 0; i < n; ++i) {
-      const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(where[i])]++);
+      const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(cell[i])]++);
       items[place] = static_cast<std::int32_t>(i), x[place] = xy[2 * i], y[place] = xy[2 * i + 1];
     }
   }

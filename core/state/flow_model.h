@@ -104,12 +104,15 @@ struct FlowLists {
   std::vector<FlowRow> rows;
   List<std::int32_t> neighbours;  ///< four to a pack; soil below `particles`, the blank one, then ghosts
   std::vector<FlowGhost> ghosts;
-  std::vector<std::int32_t> soil;  ///< material
-  Array constants;                 ///< [4(n + 1)] volume (m2), mass (kg), K + 4G/3 (Pa), size (m)
-  Array volume;                    ///< [n + 1 + ghosts]
-  Array force;                     ///< [2n] weight, seismic force and loads, N
-  Array extra_cohesion;            ///< Pa
-  Array pore_pressure;             ///< Pa
+  std::vector<std::int32_t> soil;   ///< material
+  Array constants;                  ///< [4(n + 1)] volume (m2), mass (kg), K + 4G/3 (Pa), size (m)
+  Array volume;                     ///< [n + 1 + ghosts]
+  Array force;                      ///< [2n] weight, seismic force and loads, N
+  Array extra_cohesion;             ///< Pa
+  Array pore_pressure;              ///< Pa
+  std::vector<std::int32_t> group;  ///< of each particle, then of each ghost: those of one cell
+  std::vector<FlowTouch> touching;
+  std::int32_t groups = 0;
   std::size_t bytes() const;
 };
 

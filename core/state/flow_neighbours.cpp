@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "state/flow_cells.h"
+#include "state/flow_drift.h"
 
 namespace vbgpd {
 
@@ -83,13 +83,14 @@ class Lister {
  public:
   Lister(const FlowModel& m, const FlowState& s, FlowLists& lists)
       : m_(m),
+        state_(s),
         xy_(s.listed),
         lists_(lists),
         reach_(m.support + m.options.skin * m.spacing),
         reach2_(reach_ * reach_),
         support2_(m.support * m.support),
         middle2_((m.support + reach_) * (m.support + reach_) / 4),
-        cells_(m, xy_, reach_) {}
+        cells_(m, xy_, cell_size(m)) {}
 
   void list() {
     const auto n = static_cast<std::size_t>(m_.particles);
@@ -97,6 +98,7 @@ class Lister {
     find_ghosts(m_, xy_, reach_, lists_);
     place_images();
     const Bins soil(cells_, xy_.data(), n), ghosts(cells_, images_.data(), lists_.ghosts.size());
+    group_by_cell(m_, state_, cells_, soil, ghosts, lists_);
     lists_.neighbours.clear();
     for (std::size_t i = 0; i < n; ++i) {
       FlowRow& row = lists_.rows[i];
@@ -153,29 +155,55 @@ class Lister {
     if (ghost.second < 0 && !seen(wall, xy_[2 * i], xy_[2 * i + 1], x, y)) return;
     lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles) + 1 + g);
   }
-  /// Soil around particle i by distance: within the support, a little beyond, farther. The step leaves out the packs
-  /// behind the last one with a particle within the support. Without branches: every candidate is written to all three
-  /// and counted in one.
-  void list_soil(std::size_t i, const Bins& soil) {
-    std::size_t count[3] = {0, 0, 0};
-    const Real x = xy_[2 * i], y = xy_[2 * i + 1];
-    const auto self = static_cast<std::int32_t>(i);
-    cells_.around(x, y, [&](std::int64_t first, std::int64_t last) {
-      const auto begin = static_cast<std::size_t>(soil.first_of(first)),
-                 end = static_cast<std::size_t>(soil.first_of(last));
-      for (int ring = 0; ring < 3; ++ring)
-        if (found_[ring].size() < count[ring] + end - begin) found_[ring].resize(2 * (count[ring] + end - begin));
-      std::int32_t *const near = found_[0].data(), *const middle = found_[1].data(), *const far = found_[2].data();
-      for (std::size_t k = begin; k < end; ++k) {
-        const Real dx = soil.x[k] - x, dy = soil.y[k] - y, distance2 = dx * dx + dy * dy;
-        const std::int32_t j = soil.items[k];
-        const bool inside = distance2 < support2_, within = distance2 < middle2_, listed = distance2 < reach2_;
-        near[count[0]] = middle[count[1]] = far[count[2]] = j;
-        count[0] += inside & (j != self), count[1] += within & !inside, count[2] += listed & !within;
-      }
+  /// Everything in the cell of particle i and the eight around it; the same for all particles of the cell.
+  void look_around(std::size_t i, const Bins& soil) {
+    if (soil.cell[i] == seen_from_) return;
+    seen_from_ = soil.cell[i];
+    around_.clear(), around_x_.clear(), around_y_.clear();
+    cells_.around(xy_[2 * i], xy_[2 * i + 1], [&](std::int64_t first, std::int64_t last) {
+      const std::int32_t begin = soil.first_of(first), end = soil.first_of(last);
+      around_.insert(around_.end(), soil.items.begin() + begin, soil.items.begin() + end);
+      around_x_.insert(around_x_.end(), soil.x.begin() + begin, soil.x.begin() + end);
+      around_y_.insert(around_y_.end(), soil.y.begin() + begin, soil.y.begin() + end);
     });
-    for (int ring = 0; ring < 3; ++ring)
-      lists_.neighbours.insert(lists_.neighbours.end(), found_[ring].data(), found_[ring].data() + count[ring]);
+    distance2_.resize(around_.size()), found_.resize(around_.size());
+    middle_.resize(around_.size()), far_.resize(around_.size());
+  }
+  /// Soil around particle i by distance: within the support, a little beyond, farther. The step leaves out the packs
+  /// behind the last one with a particle within the support. Without branches: every candidate is written, and counted
+  /// where it belongs.
+  void list_soil(std::size_t i, const Bins& soil) {
+    look_around(i, soil);
+    const Real x = xy_[2 * i], y = xy_[2 * i + 1], reach2 = reach2_, support2 = support2_, middle2 = middle2_;
+    const std::size_t candidates = around_.size();
+    const Real *const ax = around_x_.data(), *const ay = around_y_.data();
+    Real* const distance2 = distance2_.data();
+    for (std::size_t k = 0; k < candidates; ++k) {
+      const Real dx = ax[k] - x, dy = ay[k] - y;
+      distance2[k] = dx * dx + dy * dy;
+    }
+    std::int32_t* const found = found_.data();
+    std::size_t within_reach = 0;
+    for (std::size_t k = 0; k < candidates; ++k) {
+      found[within_reach] = static_cast<std::int32_t>(k);
+      within_reach += distance2[k] < reach2;
+    }
+    const std::size_t before = lists_.neighbours.size();
+    lists_.neighbours.resize(before + within_reach);
+    std::int32_t *const near = lists_.neighbours.data() + before, *const middle = middle_.data(),
+                        *const far = far_.data();
+    const auto self = static_cast<std::int32_t>(i);
+    std::size_t nears = 0, middles = 0, fars = 0;
+    for (std::size_t n = 0; n < within_reach; ++n) {
+      const auto k = static_cast<std::size_t>(found[n]);
+      const std::int32_t j = around_[k];
+      const bool inside = distance2[k] < support2, within = distance2[k] < middle2;
+      near[nears] = middle[middles] = far[fars] = j;
+      nears += inside & (j != self), middles += within & !inside, fars += !within;
+    }
+    std::copy_n(middle, middles, near + nears);
+    std::copy_n(far, fars, near + nears + middles);
+    lists_.neighbours.resize(before + nears + middles + fars);
   }
   void list_ghosts(std::size_t i, const Bins& ghosts) {
     cells_.around(xy_[2 * i], xy_[2 * i + 1], [&](std::int64_t first, std::int64_t last) {
@@ -185,12 +213,15 @@ class Lister {
   }
 
   const FlowModel& m_;
+  const FlowState& state_;
   const Array& xy_;
   FlowLists& lists_;
   Real reach_, reach2_, support2_, middle2_;
   Cells cells_;
   std::vector<Real> images_;
-  std::vector<std::int32_t> found_[3];
+  std::int64_t seen_from_ = -1;
+  std::vector<std::int32_t> around_, found_, middle_, far_;
+  std::vector<Real> around_x_, around_y_, distance2_;
 };
 
 }  // namespace
@@ -275,7 +306,7 @@ std::int64_t listing_work(const FlowModel& m, const FlowState& s) {
 bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
   const auto n = static_cast<std::size_t>(m.particles);
   for (std::size_t i = 0; i < n; ++i) s.listed[2 * i] = s.motion[4 * i], s.listed[2 * i + 1] = s.motion[4 * i + 1];
-  const Cells cells(m, s.listed, m.support + m.options.skin * m.spacing);
+  const Cells cells(m, s.listed, cell_size(m));
   const Bins sorted(cells, s.listed.data(), n);
   const std::vector<std::int32_t>& order = sorted.items;  // new place -> old place
   const bool reordered = !std::is_sorted(order.begin(), order.end());

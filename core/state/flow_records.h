@@ -16,6 +16,11 @@ struct FlowGhost {
   std::int32_t parent = 0, wall = 0, second = -1;
 };
 
+/// Two groups of particles whose cells touch, or one with itself.
+struct FlowTouch {
+  std::int32_t a = 0, b = 0;
+};
+
 /// A straight wall. It mirrors the soil in front of it; low and high may be infinite.
 struct FlowWall {
   double x = 0, y = 0;        ///< a point of it, m

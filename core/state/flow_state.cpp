@@ -26,8 +26,8 @@ std::size_t FlowModel::bytes() const {
 }
 
 std::size_t FlowLists::bytes() const {
-  return bytes_of(rows) + bytes_of(neighbours) + bytes_of(ghosts) + bytes_of(soil) +
-         bytes_of({&constants, &volume, &force, &extra_cohesion, &pore_pressure});
+  return bytes_of(rows) + bytes_of(neighbours) + bytes_of(ghosts) + bytes_of(soil) + bytes_of(group) +
+         bytes_of(touching) + bytes_of({&constants, &volume, &force, &extra_cohesion, &pore_pressure});
 }
 
 std::size_t FlowScratch::bytes() const {

@@ -306,8 +306,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_state_destroy(vbgpd_state*);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_checkpoint(const vbgpd_model*, void* buf, int64_t cap, int64_t* needed);
 /* A model from such bytes, in this process or another one, with the threads and limits of the context. It goes on as the
  * old one would have: with the same build on a processor of the same kind bit by bit, at any thread count. Bytes are
- * verified, checked against all ranges and copied before anything is built: VBGPD_E_FORMAT; a newer format gives
- * VBGPD_E_VERSION. */
+ * verified, checked against all ranges and copied before anything is built: VBGPD_E_FORMAT; a newer format, or a
+ * run-out in an older one, gives VBGPD_E_VERSION. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_from_checkpoint(vbgpd_context*, const void* bytes, int64_t len, vbgpd_model** out);
 /* Takes a model of the same profile back to a checkpoint; VBGPD_E_FORMAT when it is of another section. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_restore_checkpoint(vbgpd_model*, const void* bytes, int64_t len);
