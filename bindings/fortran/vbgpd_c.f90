@@ -504,6 +504,25 @@ module vbgpd_c
       integer(c_int32_t) :: outcome
     end function vbgpd_profile_add_load
 
+    function vbgpd_profile_set_water_table(profile, xy, stride, n) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: profile
+      type(c_ptr), value :: xy
+      integer(c_int64_t), value :: stride
+      integer(c_int64_t), value :: n
+      integer(c_int32_t) :: outcome
+    end function vbgpd_profile_set_water_table
+
+    function vbgpd_profile_water_table(profile, xy, stride, cap, n) result(outcome) bind(C)
+      import
+      type(c_ptr), value :: profile
+      type(c_ptr), value :: xy
+      integer(c_int64_t), value :: stride
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: n
+      integer(c_int32_t) :: outcome
+    end function vbgpd_profile_water_table
+
     function vbgpd_profile_set_f64(profile, object_kind, id, name, len, value) result(outcome) bind(C)
       import
       type(c_ptr), value :: profile

@@ -19,6 +19,8 @@ module vbgpd_profiles
     procedure :: add_layer
     procedure :: add_boundary
     procedure :: add_load
+    procedure :: set_water_table
+    procedure :: water_table
     procedure, private :: set_number, set_text, get_number, get_text
     generic :: set => set_number, set_text
     generic :: get => get_number, get_text
@@ -320,6 +322,43 @@ contains
     call conclude(status, vbgpd_profile_error, self%handle, stat, failure)
     if (present(errmsg) .and. allocated(failure)) errmsg = failure
   end subroutine polygon
+
+  ! xy(2, n): ground water, hydrostatic below this line (left to right over the whole section); n = 0: dry.
+  subroutine set_water_table(self, xy, stat, errmsg)
+    class(vbgpd_profile), intent(in) :: self
+    real(c_double), intent(in), target :: xy(:, :)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
+    type(point_view), target :: view
+    if (.not. accept_points(xy, view, stat, failure)) then
+      if (present(errmsg)) errmsg = failure
+      return
+    end if
+    call conclude(vbgpd_profile_set_water_table(self%handle, view%address, view%stride, view%n), &
+                  vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
+  end subroutine set_water_table
+
+  ! xy(2, n): its points.
+  subroutine water_table(self, xy, stat, errmsg)
+    class(vbgpd_profile), intent(in) :: self
+    real(c_double), allocatable, target, intent(inout) :: xy(:, :)
+    integer(c_int32_t), intent(out), optional :: stat
+    character(:), allocatable, intent(inout), optional :: errmsg
+    character(:), allocatable :: failure
+    integer(c_int64_t) :: n
+    integer(c_int32_t) :: status
+    n = 0
+    status = vbgpd_profile_water_table(self%handle, c_null_ptr, 16_c_int64_t, 0_c_int64_t, n)
+    if (status == VBGPD_OK) then
+      if (allocated(xy)) deallocate (xy)
+      allocate (xy(2, n))
+      if (n > 0) status = vbgpd_profile_water_table(self%handle, c_loc(xy), 16_c_int64_t, n, n)
+    end if
+    call conclude(status, vbgpd_profile_error, self%handle, stat, failure)
+    if (present(errmsg) .and. allocated(failure)) errmsg = failure
+  end subroutine water_table
 
   ! Finds every fault; errors forbid a model, warnings do not. issue lists them.
   subroutine validate(self, errors, warnings, stat, errmsg)

@@ -121,6 +121,21 @@ vbgpd_status vbgpd_profile_add_load(vbgpd_profile* profile, double x0, double x1
   });
 }
 
+vbgpd_status vbgpd_profile_set_water_table(vbgpd_profile* profile, const double* xy, int64_t stride, int64_t n) {
+  return with(profile, [&](ProfileObject& object) {
+    object.scene.water_table = points_in(xy, stride, n, 2);
+    return Status::kOk;
+  });
+}
+
+vbgpd_status vbgpd_profile_water_table(const vbgpd_profile* profile, double* xy, int64_t stride, int64_t cap,
+                                       int64_t* n) {
+  return with(profile, [&](ProfileObject& object) {
+    points_out(object.scene.water_table, xy, stride, cap, n, 2);
+    return Status::kOk;
+  });
+}
+
 vbgpd_status vbgpd_profile_set_f64(vbgpd_profile* profile, int32_t object_kind, int64_t id, const char* name,
                                    int64_t len, double value) {
   return with(profile, [&](ProfileObject& object) {

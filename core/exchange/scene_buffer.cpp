@@ -59,6 +59,10 @@ class Reader {
       take(seismic->kh(), scene.kh);
       take(seismic->kv(), scene.kv);
     }
+    if (const auto* water = from.water()) {
+      take(water->table(), "water.table", scene.water_table);
+      take(water->unit_weight(), scene.water_unit_weight, stress_);
+    }
     if (const auto* numerics = from.numerics()) {
       take(numerics->bond(), "numerics.bond", scene.bond);
       take(numerics->kernel(), "numerics.kernel", scene.kernel);
@@ -84,6 +88,8 @@ class Reader {
     take(from.tension_cutoff(), m.tension_cutoff, stress_);
     take(from.cohesion_gradient(), m.cohesion_gradient, stress_);
     take(from.cohesion_datum(), m.cohesion_datum);
+    take(from.saturated_unit_weight(), m.saturated_unit_weight, stress_);
+    take(from.pore_pressure_ratio(), m.pore_pressure_ratio);
   }
 
   void read(const schema::Layer& from, const std::string& where, LayerDef& layer) {
@@ -195,9 +201,10 @@ class Writer {
     const auto numerics = schema::CreateNumerics(out_, bond, kernel, scene.smoothing_ratio, scene.jitter);
     const auto& search = scene.strength_reduction;
     const auto reduction = schema::CreateStrengthReduction(out_, search.srf_min, search.srf_max, search.tolerance);
+    const auto water = schema::CreateWater(out_, points(scene.water_table), scene.water_unit_weight);
     const auto root =
         schema::CreateScene(out_, name, source, units, profile, materials, layers, boundaries, loads, seismic,
-                            scene.gravity, present(scene.spacing), numerics, reduction, published);
+                            scene.gravity, present(scene.spacing), numerics, reduction, published, water);
     schema::FinishSceneBuffer(out_, root);
     return {out_.GetBufferPointer(), out_.GetBufferPointer() + out_.GetSize()};
   }
@@ -218,7 +225,8 @@ class Writer {
     const auto name = text(m.name), law = text(m.law);
     return schema::CreateMaterial(out_, name, law, present(m.unit_weight), m.young_modulus, m.poisson_ratio,
                                   present(m.cohesion), m.friction_angle, m.dilatancy_angle, present(m.tension_cutoff),
-                                  m.cohesion_gradient, present(m.cohesion_datum));
+                                  m.cohesion_gradient, present(m.cohesion_datum), present(m.saturated_unit_weight),
+                                  m.pore_pressure_ratio);
   }
   fb::Offset<schema::Layer> write_one(const LayerDef& layer) {
     const auto material = text(layer.material);

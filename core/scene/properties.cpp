@@ -46,6 +46,10 @@ constexpr bool kRequired = true;
 constexpr std::array kEntries = {
     entry(&MaterialDef::unit_weight, kMaterial, "unit_weight", "N m-3", kNone, kNotNegative, "Total unit weight.",
           kRequired),
+    entry(&MaterialDef::saturated_unit_weight, kMaterial, "saturated_unit_weight", "N m-3", kNone, kNotNegative,
+          "Total unit weight below the water table; absent = unit_weight."),
+    entry(&MaterialDef::pore_pressure_ratio, kMaterial, "pore_pressure_ratio", "1", 0, Range{0, 1, false, true},
+          "r_u: pore pressure over the weight of the soil above; such a soil knows no water table."),
     entry(&MaterialDef::young_modulus, kMaterial, "young_modulus", "Pa", 1e8, kPositive,
           "Young's modulus; the factor of safety does not depend on it."),
     entry(&MaterialDef::poisson_ratio, kMaterial, "poisson_ratio", "1", 0.3, Range{-1, 0.5, true, true},
@@ -74,6 +78,8 @@ constexpr std::array kEntries = {
     entry(&BoundaryDef::friction_angle, kBoundary, "friction_angle", "degree", kNone, kAngle,
           "Coulomb friction of a fixed boundary in a run-out; absent = rough: no slip."),
 
+    entry(&SceneDef::water_unit_weight, kScene, "water_unit_weight", "N m-3", 9810, kPositive,
+          "Unit weight of the water below the water table."),
     entry(&SceneDef::kh, kScene, "kh", "1", 0, kCoefficient,
           "Horizontal pseudo-static coefficient: body force kh * unit weight towards +x."),
     entry(&SceneDef::kv, kScene, "kv", "1", 0, kCoefficient,

@@ -16,16 +16,19 @@ using Polygon = std::vector<Point>;  ///< any winding, first vertex not repeated
 /// A soil. `law` names an entry of material/any_material.h. kNone (NaN) marks a value the user left out.
 struct MaterialDef {
   std::string name;
-  std::string law = "mohr_coulomb";  ///< elastic, drucker_prager, mohr_coulomb, undrained
-  double unit_weight = kNone;        ///< N/m3, total, required
-  double young_modulus = 1e8;        ///< Pa; the factor of safety does not depend on it
-  double poisson_ratio = 0.3;        ///< in (-1, 0.5)
-  double cohesion = kNone;           ///< Pa; required by every law but elastic
-  double friction_angle = 0;         ///< degrees, [0, 90)
-  double dilatancy_angle = 0;        ///< degrees, [0, friction_angle]
-  double tension_cutoff = kNone;     ///< Pa, >= 0; absent = the apex of the cone
-  double cohesion_gradient = 0;      ///< Pa per metre of depth below cohesion_datum (undrained), >= 0
-  double cohesion_datum = kNone;     ///< elevation y, m; required with cohesion_gradient
+  std::string law = "mohr_coulomb";      ///< elastic, drucker_prager, mohr_coulomb, undrained
+  double unit_weight = kNone;            ///< N/m3, total, required
+  double saturated_unit_weight = kNone;  ///< N/m3, total, below the water table; absent = unit_weight
+  /// r_u: pore pressure over the weight of the soil above, [0, 1); a soil that has one knows no water table.
+  double pore_pressure_ratio = 0;
+  double young_modulus = 1e8;     ///< Pa; the factor of safety does not depend on it
+  double poisson_ratio = 0.3;     ///< in (-1, 0.5)
+  double cohesion = kNone;        ///< Pa; required by every law but elastic
+  double friction_angle = 0;      ///< degrees, [0, 90)
+  double dilatancy_angle = 0;     ///< degrees, [0, friction_angle]
+  double tension_cutoff = kNone;  ///< Pa, >= 0; absent = the apex of the cone
+  double cohesion_gradient = 0;   ///< Pa per metre of depth below cohesion_datum (undrained), >= 0
+  double cohesion_datum = kNone;  ///< elevation y, m; required with cohesion_gradient
 };
 
 /// A region of one material. Layers are painted in order: a later one overwrites.
@@ -71,6 +74,9 @@ struct SceneDef {
   std::vector<LayerDef> layers;
   std::vector<BoundaryDef> boundaries;  ///< empty = base fixed, left and right rollers
   std::vector<LoadDef> loads;
+  /// Ground water, hydrostatic below this line; points from left to right, empty = dry. Above the ground it stands.
+  Polygon water_table;
+  double water_unit_weight = 9810;  ///< N/m3
   double kh = 0, kv = 0;   ///< pseudo-static coefficients: extra body force kh*unit_weight in +x, kv*unit_weight in -y
   double gravity = 9.81;   ///< m/s2, turns unit weight into density
   double spacing = kNone;  ///< m between particles, required

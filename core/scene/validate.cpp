@@ -1,5 +1,6 @@
 #include "scene/validate.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -290,6 +291,49 @@ void check_loads(const SceneDef& scene, Report& report) {
   }
 }
 
+/// Points from left to right over the whole section.
+void check_water(const SceneDef& scene, Report& report) {
+  report.about(ObjectKind::kProfile, -1, "water");
+  const Polygon& table = scene.water_table;
+  if (table.empty()) {
+    for (const MaterialDef& m : scene.materials)
+      if (!std::isnan(m.saturated_unit_weight))
+        report.warn("there is no water table, so that the saturated_unit_weight of '" + m.name + "' is never used",
+                    m.saturated_unit_weight);
+    return;
+  }
+  if (table.size() < 2) {
+    report.error(Status::kArgument, "the water table has one point: give at least two, from left to right");
+    return;
+  }
+  int reported = 0;
+  for (std::size_t i = 0; i < table.size() && reported < kPointsReported; ++i) {
+    const std::string point = label("table", i, "") + ": ";
+    if (!std::isfinite(table[i].x) || !std::isfinite(table[i].y))
+      report.error(Status::kRange, point + "x and y must be finite numbers of m"), ++reported;
+    else if (i > 0 && table[i].x <= table[i - 1].x)
+      report.error(Status::kRange,
+                   point + "x = " + number_text(table[i].x) +
+                       " m: must be right of x = " + number_text(table[i - 1].x) + " m of the point before",
+                   table[i].x),
+          ++reported;
+  }
+  if (reported > 0 || scene.exterior.empty()) return;
+  const auto by_x = [](const Point& a, const Point& b) { return a.x < b.x; };
+  const auto [left, right] = std::minmax_element(scene.exterior.begin(), scene.exterior.end(), by_x);
+  const double slack = 1e-9 * (right->x - left->x);
+  if (table.front().x > left->x + slack)
+    report.error(Status::kRange,
+                 "the water table begins at x = " + number_text(table.front().x) +
+                     " m: add a point at or left of the left end of the section, x = " + number_text(left->x) + " m",
+                 table.front().x);
+  if (table.back().x < right->x - slack)
+    report.error(Status::kRange,
+                 "the water table ends at x = " + number_text(table.back().x) +
+                     " m: add a point at or right of the right end of the section, x = " + number_text(right->x) + " m",
+                 table.back().x);
+}
+
 void check_settings(const SceneDef& scene, Report& report) {
   report.about(ObjectKind::kProfile, -1, "scene");
   check_numbers(scene, ObjectKind::kProfile, -1, report);
@@ -325,6 +369,7 @@ std::vector<Issue> validate(const SceneDef& scene) {
   check_layers(scene, report);
   check_boundaries(scene, report);
   check_loads(scene, report);
+  check_water(scene, report);
   check_settings(scene, report);
   check_published(scene, report);
   return std::move(report.issues);

@@ -5,6 +5,7 @@
 
 #include "geometry/outline.h"
 #include "scene/wording.h"
+#include "simulation/ground_water.h"
 #include "simulation/outside.h"
 #include "simulation/surface_load.h"
 
@@ -114,7 +115,7 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
     const std::size_t id = next++;
     const auto i = static_cast<std::size_t>(lattice.storage_of[k]);
     m.volume[id] = seed.volume, m.mass[id] = lattice.mass[i], m.size[id] = std::sqrt(seed.volume);
-    m.weight[id] = from.scene().materials[static_cast<std::size_t>(seed.material)].unit_weight * seed.volume;
+    m.weight[id] = unit_weight_at(from.scene(), seed.material, section.place(k)) * seed.volume;
     if (loaded) m.surface_area[id] = area[i];
     const Vec2 at = section.shifts.empty() ? seed.centroid : Vec2(seed.centroid + section.shifts[k]);
     const Vec2 reference = at - m.origin;
@@ -200,7 +201,15 @@ FlowState handed_over(const LatticeSimulation& from, const FlowModel& m) {
 
 Outside handed_over_forces(const LatticeSimulation& from, const FlowModel& m) {
   Outside outside;
-  push_by(soil_rows(from, "external_force", 2), m.heap, outside);
+  std::vector<double> forces = soil_rows(from, "external_force", 2);
+  const StandingWater water(from.scene(), from.section(), from.model());
+  std::size_t row = 0;
+  for (std::size_t k = 0; k < from.section().seeds.size() && water.x.present(); ++k) {
+    if (!is_soil(from.section().seeds[k])) continue;
+    const auto i = static_cast<std::size_t>(from.model().storage_of[k]);
+    forces[row++] += water.x[i], forces[row++] += water.y[i];
+  }
+  push_by(forces, m.heap, outside);
   outside.pore_pressure = pressure_of(soil_rows(from, "pore_pressure", 1), m.heap);
   return outside;
 }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "boundary/wall.h"
+#include "simulation/ground_water.h"
 #include "simulation/lattice_packs.h"
 #include "simulation/surface_load.h"
 #include "smoothing/any_kernel.h"
@@ -65,10 +66,12 @@ void build_materials(const SceneDef& scene, Real h, Real stress, Model& m) {
     }
 }
 
+Real heavier(const MaterialDef& d) { return std::fmax(d.unit_weight, d.saturated_unit_weight); }
+
 /// A vertical stress typical of the section: a third of the heaviest soil's weight over the height, or of the loads.
 Real mean_stress(const SceneDef& scene, const Section& section) {
   Real stress = 0;
-  for (const MaterialDef& d : scene.materials) stress = std::max(stress, d.unit_weight * section.height / 3);
+  for (const MaterialDef& d : scene.materials) stress = std::max(stress, heavier(d) * section.height / 3);
   for (const LoadDef& l : scene.loads) stress = std::max({stress, l.pressure / 3, l.pressure_end / 3});
   return stress;
 }
@@ -106,7 +109,7 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
   // Weightless soil still needs inertia for dynamic steps: a weight that the loads would balance over the section's
   // height.
   Real heaviest = 0, load = 0;
-  for (const MaterialDef& d : scene.materials) heaviest = std::max(heaviest, d.unit_weight);
+  for (const MaterialDef& d : scene.materials) heaviest = std::max(heaviest, heavier(d));
   for (const LoadDef& l : scene.loads) load = std::max({load, std::fabs(l.pressure), std::fabs(l.pressure_end)});
   m.height = section.height;
   m.stress_scale = std::max(heaviest * m.height, load);
@@ -118,7 +121,8 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
     if (!seed.active) continue;
     const auto i = static_cast<std::size_t>(m.storage_of[k]);
     const MaterialDef& d = scene.materials[static_cast<std::size_t>(seed.material)];
-    const Real inertial = d.unit_weight > least ? d.unit_weight : m.stress_scale / m.height;
+    const Real weight = unit_weight_at(scene, seed.material, section.place(k));
+    const Real inertial = weight > least ? weight : m.stress_scale / m.height;
     m.mass[i] = inertial * seed.volume / scene.gravity;
     if (seed.hold == Hold::kFree) soil += seed.volume, compliance += seed.volume / d.young_modulus;
     if (m.features.cohesion_gradient && d.cohesion_gradient > 0) {
@@ -180,7 +184,7 @@ void apply_drive(const SceneDef& scene, const Section& section, const Drive& dri
     const Seed& seed = section.seeds[k];
     if (!seed.active) continue;
     const auto i = static_cast<std::size_t>(m.storage_of[k]);
-    const Real weight = scene.materials[static_cast<std::size_t>(seed.material)].unit_weight * seed.volume;
+    const Real weight = unit_weight_at(scene, seed.material, section.place(k)) * seed.volume;
     m.force_x[i] = drive.kh * weight;
     m.force_y[i] = -(1 + drive.kv) * weight;
   }

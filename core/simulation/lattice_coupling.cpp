@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "simulation/build_model.h"
+#include "simulation/ground_water.h"
 #include "simulation/lattice_simulation.h"
 
 namespace vbgpd {
@@ -71,6 +72,8 @@ void LatticeSimulation::load(const Drive& drive, const Outside& outside, const S
     for (std::size_t i = 0; i < from.size(); ++i)
       if (m.seed_of[i] >= 0) to[i] += from[i];
   };
+  const StandingWater water(scene_, section, m);
+  add(water.x, m.force_x), add(water.y, m.force_y);
   add(outside.external_x, m.force_x), add(outside.external_y, m.force_y);
   if (outside.pore_pressure.present()) add_pore_force(outside.pore_pressure, m);
 }

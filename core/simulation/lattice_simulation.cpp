@@ -6,6 +6,7 @@
 
 #include "scene/wording.h"
 #include "simulation/build_model.h"
+#include "simulation/ground_water.h"
 
 namespace vbgpd {
 
@@ -53,6 +54,8 @@ LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions
   zero_.allocate(static_cast<std::size_t>(model_.storage), 0, model_.heap);
   set_factor(1);
   elastic_constants_ = pair_constants(model_, 1, true);
+  if (const std::vector<double> water = scene_pore_pressure(scene_, section_); !water.empty())
+    LatticeSimulation::write(find_field("pore_pressure"), water);
 }
 
 void LatticeSimulation::set_factor(Real factor) { take_constants(factor, pair_constants(model_, factor, false)); }

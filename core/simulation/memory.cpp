@@ -9,6 +9,7 @@
 #include "geometry/polygon.h"
 #include "scene/wording.h"
 #include "simulation/build_model.h"
+#include "simulation/ground_water.h"
 #include "state/records.h"
 
 namespace vbgpd {
@@ -72,7 +73,8 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
   constexpr double kCopies = 3;  // the state, that of the monitors and that of the energy audit
   const double state = 4 + (shape.volumetric ? 1 : 0) + (shape.plastic && !shape.bonded ? 3 : 0);
   const double shifted = scene.jitter > 0 ? 1 : 0, weights = shifted * width * sizeof(double);
-  const double model = 13 + (shape.gradient ? 1 : 0) + (shape.uneven ? 1 : 0) + 2 * shifted;
+  const double model =
+      13 + (shape.gradient ? 1 : 0) + (shape.uneven ? 1 : 0) + 2 * shifted + (has_ground_water(scene) ? 1 : 0);
   const double scratch = 11 + 5 + (shape.bonded ? 2 : 0) + (shape.volumetric ? 4 : 0);
   const double record = shape.plastic && shape.bonded ? 3.0 * width * sizeof(double) : 0;
   return storage * (sizeof(double) * (model + scratch + kCopies * state) + 2 * sizeof(std::int32_t)) +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/ground_water.h"
 #include "simulation/lattice_simulation.h"
 
 namespace vbgpd {
@@ -58,6 +59,8 @@ std::vector<Feature> scene_features(const SceneDef& s) {
        any(s.materials, [](const MaterialDef& m) { return yields(m) && !std::isnan(m.tension_cutoff); })},
       {"seismic coefficients", "kh, kv: part of the external forces", s.kh != 0 || s.kv != 0},
       {"surface loads", "pressures on the ground: part of the external forces", !s.loads.empty()},
+      {"ground water", "a water table or a pore pressure ratio: pore pressure from the scene, thrust of standing water",
+       has_ground_water(s)},
       {"moving boundaries", "walls with a prescribed velocity", held(BoundaryKind::kVelocity)},
   };
 }
@@ -114,7 +117,7 @@ std::vector<Feature> LatticeSimulation::plan() const {
       {"forces from outside", "written by a host, per particle",
        outside_.external_x.present() || outside_.external_y.present(), sum_of(outside_.external_x, outside_.external_y),
        0},
-      {"pore pressure", "written by a host, per particle", outside_.pore_pressure.present(),
+      {"pore pressure", "of the scene or written by a host, per particle", outside_.pore_pressure.present(),
        outside_.pore_pressure.bytes(), 0},
       {"views", "which particle an item in storage order is", !storage_ids_.empty(), bytes_of(storage_ids_), 0},
       {"damping", "local damping of dynamic steps", damping_ > 0},

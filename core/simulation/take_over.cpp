@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "simulation/ground_water.h"
 #include "simulation/scattered.h"
 
 namespace vbgpd {
@@ -57,9 +58,12 @@ void take_over(const Simulation& from, Simulation& to) {
   to.set_layers(from.layers());
   to.set_drive(from.drive());
   const std::vector<double> pressures = read(from, "pore_pressure"), forces = read(from, "external_force");
-  if (all_zero(pressures) && all_zero(forces)) return;
+  // the other grid has the water of the scene already, better than it could be carried over
+  const bool wetted = pressures != scene_pore_pressure(from.scene(), from.section()) &&
+                      !(all_zero(pressures) && !has_ground_water(from.scene()));
+  if (!wetted && all_zero(forces)) return;
   const std::vector<Point> here = places(from), there = places(to);
-  if (!all_zero(pressures)) {
+  if (wetted) {
     const Scattered field(here, pressures, 1);
     std::vector<double> rows(there.size());
     for (std::size_t k = 0; k < there.size(); ++k) field.at(there[k].x, there[k].y, &rows[k]);

@@ -41,6 +41,8 @@ static vbgpd_memory memory;
   X(PROFILE, vbgpd_profile_add_layer, (h, NULL, 16, 0, 0, &id))                                  \
   X(PROFILE, vbgpd_profile_add_boundary, (h, "base", 4, NULL, 16, 0, VBGPD_BOUNDARY_FIXED, &id)) \
   X(PROFILE, vbgpd_profile_add_load, (h, 0, 1, 2, 3, &id))                                       \
+  X(PROFILE, vbgpd_profile_set_water_table, (h, xy, 16, 1))                                      \
+  X(PROFILE, vbgpd_profile_water_table, (h, xy, 16, 0, &n))                                      \
   X(PROFILE, vbgpd_profile_set_f64, (h, VBGPD_OBJECT_PROFILE, 0, "kh", 2, 0.0))                  \
   X(PROFILE, vbgpd_profile_get_f64, (h, VBGPD_OBJECT_PROFILE, 0, "kh", 2, &value))               \
   X(PROFILE, vbgpd_profile_set_text, (h, VBGPD_OBJECT_PROFILE, 0, "name", 4, "x", 1))            \

@@ -44,7 +44,7 @@ inline void load_by_gravity(FlowSimulation& s, double equilibrium = 1e-5) {
   s.halt();
 }
 
-inline std::vector<double> field(const FlowSimulation& s, const char* name) {
+inline std::vector<double> field(const Simulation& s, const char* name) {
   std::vector<double> values;
   s.read(find_field(name), values);
   return values;

@@ -187,6 +187,16 @@ class Profile(_Object):
         self._call("add_load", x0, x1, pressure, pressure if pressure_end is None else pressure_end, ctypes.byref(load))
         return load.value
 
+    def set_water_table(self, xy):
+        """Ground water, hydrostatic below this line (left to right over the whole section); [] = dry. Above the ground
+        the water stands there and presses on it."""
+        array, *points = points_in(xy) if len(xy) else (None, None, 16, 0)
+        self._call("set_water_table", *points)
+
+    def water_table(self):
+        """Points of the water table, (n, 2); none where the section is dry."""
+        return points_from(lambda *points: self._call("water_table", *points))
+
     def set(self, name, value, kind=Kind.PROFILE, id=0):
         """A named number or text of the profile, or of the part `id` of a Kind; None takes a number back to absent."""
         key = name.encode()

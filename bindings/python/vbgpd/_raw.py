@@ -352,6 +352,8 @@ FUNCTIONS = {
     "vbgpd_profile_add_boundary": (
         c_int32, (vbgpd_profile, c_char_p, c_int64, POINTER(c_double), c_int64, c_int64, c_int32, POINTER(c_int64))),
     "vbgpd_profile_add_load": (c_int32, (vbgpd_profile, c_double, c_double, c_double, c_double, POINTER(c_int64))),
+    "vbgpd_profile_set_water_table": (c_int32, (vbgpd_profile, POINTER(c_double), c_int64, c_int64)),
+    "vbgpd_profile_water_table": (c_int32, (vbgpd_profile, POINTER(c_double), c_int64, c_int64, POINTER(c_int64))),
     "vbgpd_profile_set_f64": (c_int32, (vbgpd_profile, c_int32, c_int64, c_char_p, c_int64, c_double)),
     "vbgpd_profile_get_f64": (c_int32, (vbgpd_profile, c_int32, c_int64, c_char_p, c_int64, POINTER(c_double))),
     "vbgpd_profile_set_text": (c_int32, (vbgpd_profile, c_int32, c_int64, c_char_p, c_int64, c_char_p, c_int64)),

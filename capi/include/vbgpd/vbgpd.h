@@ -196,6 +196,12 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_layer(vbgpd_profile*, const 
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_boundary(vbgpd_profile*, const char* side, int64_t side_len, const double* xy, int64_t stride, int64_t n, int32_t kind, int64_t* boundary_id);
 /* Vertical pressure (Pa, down positive) on the ground surface from x0 to x1, linear from pressure to pressure_end. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_load(vbgpd_profile*, double x0, double x1, double pressure, double pressure_end, int64_t* load_id);
+/* Ground water: hydrostatic below a line from left to right over the whole section (unit weight: PROFILE "water_unit_weight"),
+ * weight by MATERIAL "saturated_unit_weight"; where it runs above the ground the water stands there and presses on it. n = 0:
+ * dry. A MATERIAL with a "pore_pressure_ratio" (r_u) has that times the weight above it instead. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_water_table(vbgpd_profile*, const double* xy, int64_t stride, int64_t n);
+/* Its points; rules for cap and n as vbgpd_profile_polygon. */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_water_table(const vbgpd_profile*, double* xy, int64_t stride, int64_t cap, int64_t* n);
 /* Named numbers; id is ignored for VBGPD_OBJECT_PROFILE. NaN takes a value back to "absent". */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_f64(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double value);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_f64(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double* value);

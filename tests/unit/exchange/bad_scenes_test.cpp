@@ -76,6 +76,10 @@ const std::map<std::string, std::string> kExpected = {
     {"unknown_law", "materials[0] 'clay': law \"mohr_colomb\" is not known"},
     {"unknown_material", "layers[0] 'clya': material \"clya\" is not known: use one of clay; did you mean \"clay\"?"},
     {"unknown_side", "boundaries[1] 'lefft': side \"lefft\" is not known: use one of base, left, right"},
+    {"water_backwards", "water: table[2]: x = 12 m: must be right of x = 20 m of the point before"},
+    {"water_of_one_point", "water: the water table has one point: give at least two, from left to right"},
+    {"water_too_short",
+     "water: the water table begins at x = 3 m: add a point at or left of the left end of the section, x = 0 m"},
     {"zero_area_exterior", kGeometry},
 };
 

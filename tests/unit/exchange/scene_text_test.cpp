@@ -108,7 +108,7 @@ TEST(SceneText, StartsMessagesWithFileLineAndColumn) {
   EXPECT_EQ(refusal(text),
             "a.json:6:3: unknown field \"spacng\"; did you mean \"spacing\"? (known here: name, source, units, "
             "profile, materials, "
-            "layers, boundaries, loads, seismic, gravity, spacing, numerics, strength_reduction, published)");
+            "layers, boundaries, loads, seismic, gravity, spacing, numerics, strength_reduction, published, water)");
 }
 
 TEST(SceneText, CountsColumnsInCharacters) {

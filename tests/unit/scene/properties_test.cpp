@@ -61,10 +61,10 @@ TEST(Properties, NameEveryNumberOfAScene) {
     for (const Property& p : properties()) n += p.object == kind;
     return n;
   };
-  EXPECT_EQ(count(ObjectKind::kMaterial), 9u);
+  EXPECT_EQ(count(ObjectKind::kMaterial), 11u);
   EXPECT_EQ(count(ObjectKind::kLoad), sizeof(LoadDef) / sizeof(double));
   EXPECT_EQ(count(ObjectKind::kBoundary), 3u);
-  EXPECT_EQ(count(ObjectKind::kProfile), 6 + sizeof(StrengthReductionDef) / sizeof(double));
+  EXPECT_EQ(count(ObjectKind::kProfile), 7 + sizeof(StrengthReductionDef) / sizeof(double));
 }
 
 TEST(FindProperty, PointsAtTheMemberOfThatName) {

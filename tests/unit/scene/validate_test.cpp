@@ -305,6 +305,21 @@ TEST(Validate, ChecksTheFrictionOfABoundaryAndSaysWhereItActs) {
     EXPECT_TRUE(has_error(issues_after([&](SceneDef& s) { s.boundaries[0].friction_angle = angle; }))) << angle;
 }
 
+TEST(Validate, NamesEveryFaultOfAWaterTable) {
+  const auto with = [](Polygon table) { return [table](SceneDef& s) { s.water_table = table; }; };
+  EXPECT_TRUE(issues_after(with({{0, 2}, {32, 1}})).empty());
+  expect_error("water: table[1]: x and y must be finite numbers of m", with({{0, 2}, {16, kInfinity}, {32, 1}}));
+  expect_error("water: table[1]: x = 0 m: must be right of x = 0 m of the point before",
+               with({{0, 2}, {0, 3}, {32, 1}}));
+  EXPECT_EQ(issues_after(with({{1, 2}, {31, 1}})).size(), 2u);
+}
+
+TEST(Validate, WarnsOfASaturatedWeightThatIsNeverUsed) {
+  const Issue issue = only_issue([](SceneDef& s) { s.materials[0].saturated_unit_weight = 21e3; });
+  EXPECT_EQ(issue.severity, Severity::kWarning);
+  EXPECT_NE(issue.text.find("'clay' is never used"), std::string::npos);
+}
+
 TEST(Validate, WarnsOfALoadThatPullsUp) {
   expect_warning("loads[0]: a negative pressure pulls the ground up: loads are positive downwards",
                  [](SceneDef& s) { s.loads[0].pressure = -20000; });
