@@ -77,6 +77,12 @@ void print_summary(const vbgpd_profile* profile, const vbgpd_model* model) {
   say("kernel", text(profile, VBGPD_OBJECT_PROFILE, 0, "kernel"));
   for (std::int64_t i = 0; i < count(profile, VBGPD_OBJECT_MATERIAL); ++i)
     say("material", text(profile, VBGPD_OBJECT_MATERIAL, i, "name") + ": " + material_text(profile, i));
+  if (const std::vector<Point> table = water_table(profile); !table.empty()) {
+    const auto [low, high] =
+        std::minmax_element(table.begin(), table.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
+    say("water", "table of " + counted(static_cast<std::int64_t>(table.size()), "point") + ", elevation " +
+                     plain_number(low->y, 5) + " to " + plain_number(high->y, 5) + " m");
+  }
   const std::vector<vbgpd_feature> features = plan(model);
   say("uses", joined(names(features, true)));
   say("left out", joined(names(features, false)));

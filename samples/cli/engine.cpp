@@ -110,6 +110,12 @@ std::vector<Point> polygon(const vbgpd_profile* profile, std::int32_t kind, std:
   });
 }
 
+std::vector<Point> water_table(const vbgpd_profile* profile) {
+  return read_points(profile, [&](double* xy, std::int64_t capacity, std::int64_t* n) {
+    return vbgpd_profile_water_table(profile, xy, kPointStride, capacity, n);
+  });
+}
+
 double number(const vbgpd_model* model, const char* name) {
   double value = 0;
   require(vbgpd_model_get_f64(model, name, VBGPD_STRLEN, &value), model);

@@ -64,6 +64,7 @@ std::int64_t count(const vbgpd_profile* profile, std::int32_t kind);
 double number(const vbgpd_profile* profile, std::int32_t kind, std::int64_t id, const char* name);
 std::string text(const vbgpd_profile* profile, std::int32_t kind, std::int64_t id, const char* name);
 std::vector<Point> polygon(const vbgpd_profile* profile, std::int32_t kind, std::int64_t id);
+std::vector<Point> water_table(const vbgpd_profile* profile);
 
 double number(const vbgpd_model* model, const char* name);
 std::string state_hash(const vbgpd_model* model);

@@ -11,6 +11,8 @@ std::string material_text(const vbgpd_profile* profile, std::int64_t material) {
   const auto kilo = [&](const char* name) { return plain_number(value(name) / 1000, 4); };
   const std::string law = text(profile, VBGPD_OBJECT_MATERIAL, material, "law");
   std::string line = "γ " + kilo("unit_weight") + " kN/m³";
+  if (std::isfinite(value("saturated_unit_weight"))) line += " (saturated " + kilo("saturated_unit_weight") + ")";
+  if (value("pore_pressure_ratio") != 0) line += ", r_u " + plain_number(value("pore_pressure_ratio"), 4);
   if (law == "elastic") return line + ", elastic";
   if (law == "undrained") {
     line += ", su " + kilo("cohesion") + " kPa";

@@ -134,6 +134,7 @@ picture::Sheet section_sheet(const Scene& scene) {
   sheet.layers = layers(profile, sheet.materials);
   sheet.supports = supports(scene, sheet.exterior);
   sheet.loads = loads(profile);
+  sheet.water = polyline(water_table(profile));
   sheet.kh = number(profile, VBGPD_OBJECT_PROFILE, 0, "kh");
   sheet.kv = number(profile, VBGPD_OBJECT_PROFILE, 0, "kv");
   return sheet;

@@ -13,6 +13,7 @@ picture::Sheet run_sheet(const Scene& scene, const vbgpd_model* model, const Run
   const Sample last = result.series.empty() ? Sample{} : result.series.back();
   sheet.result = format("t = %s s   run-out %s m", plain_number(last.time, 3).c_str(),
                         plain_number(last.runout_distance, 3).c_str());
+  sheet.water.clear();
   sheet.loads.clear();  // they moved with the ground; arrows would stand where it was
   const std::vector<double> place = field(model, "position"), strain = field(model, "plastic_strain");
   const std::vector<double> volume = field(model, "volume"), material = field(model, "material");

@@ -67,6 +67,7 @@ void paint(cairo_t* cr, const Sheet& sheet, const Layout& layout) {
   const bool moving = !sheet.grains.empty();
   const double largest = moving ? largest_shown(sheet.grains) : largest_shown(sheet.cells);
   draw_axes(cr, layout);
+  draw_standing_water(cr, sheet, layout);
   if (moving) {
     draw_grains(cr, sheet, layout, largest);
   } else {
@@ -74,6 +75,7 @@ void paint(cairo_t* cr, const Sheet& sheet, const Layout& layout) {
     draw_strain(cr, sheet, layout, largest);
   }
   draw_outlines(cr, sheet, layout);
+  draw_water_table(cr, sheet, layout);
   draw_supports(cr, sheet, layout);
   draw_loads(cr, sheet, layout);
   draw_seismic(cr, sheet, layout);

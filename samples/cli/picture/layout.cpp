@@ -87,7 +87,8 @@ void place_plot(Layout& l, const Sheet& sheet, double left, double top) {
 
 double legend_height(const Sheet& sheet, bool notes_below) {
   const double slip = sheet.slip.empty() ? 0 : kLegendRow;
-  return slip + (kLegendRow + (notes_below ? kLegendNoteRow : 0)) * static_cast<double>(sheet.materials.size());
+  const double water = sheet.water.empty() ? 0 : kLegendRow;
+  return slip + water + (kLegendRow + (notes_below ? kLegendNoteRow : 0)) * static_cast<double>(sheet.materials.size());
 }
 
 /// Legends under the plot, or beside it when it is narrow. Gives the y below everything.

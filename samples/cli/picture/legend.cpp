@@ -37,6 +37,10 @@ void draw_soil_legend(cairo_t* cr, const Sheet& sheet, const Layout& layout) {
     cairo_stroke(cr);
     baseline = write_entry(cr, layout, baseline, sheet.materials[i].name, sheet.materials[i].parameters);
   }
+  if (!sheet.water.empty()) {
+    draw_water_line(cr, {{box.x0, baseline - 3.5}, {box.x0 + kSwatch, baseline - 3.5}}, 1.6);
+    baseline = write_entry(cr, layout, baseline, "water table", "");
+  }
   if (sheet.slip.empty()) return;
   set_color(cr, {0.05, 0.05, 0.08});
   cairo_set_line_width(cr, 2);

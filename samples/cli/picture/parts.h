@@ -7,6 +7,10 @@ namespace cli::picture {
 
 /// Materials, then later the lines over them.
 void draw_materials(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+/// Under the materials: what stands on the ground. Over them: the water table.
+void draw_standing_water(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+void draw_water_table(cairo_t* cr, const Sheet& sheet, const Layout& layout);
+void draw_water_line(cairo_t* cr, const Polyline& on_page, double width);
 void draw_outlines(cairo_t* cr, const Sheet& sheet, const Layout& layout);
 /// Plastic strain, a coloured square per particle cut by the outline. `largest` is the strain of the last colour.
 void draw_strain(cairo_t* cr, const Sheet& sheet, const Layout& layout, double largest);

@@ -54,6 +54,7 @@ struct Sheet {
   std::vector<Layer> layers;
   std::vector<Support> supports;
   std::vector<Load> loads;
+  Polyline water;  ///< the water table, left to right; empty = dry
   double kh = 0, kv = 0;
   std::vector<Cell> cells;
   double spacing_x = 1, spacing_y = 1;
