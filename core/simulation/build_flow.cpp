@@ -150,6 +150,11 @@ FlowModel build_flow_model(const LatticeSimulation& from, const FlowOptions& opt
   if (scene.kernel != "wendland_c2")
     unsupported(ObjectKind::kProfile, -1,
                 "kernel '" + scene.kernel + "': a run-out knows wendland_c2 only; set the profile's kernel to it");
+  if (water_stands(scene, from.section()))
+    unsupported(
+        ObjectKind::kProfile, -1,
+        "water stands on the ground (the water table runs above it); a run-out into standing water is not known: "
+        "its thrust would have to follow the moving surface. Lower the water table to the ground");
   FlowModel m;
   m.options = options;
   m.heap = from.options().heap;
@@ -201,15 +206,7 @@ FlowState handed_over(const LatticeSimulation& from, const FlowModel& m) {
 
 Outside handed_over_forces(const LatticeSimulation& from, const FlowModel& m) {
   Outside outside;
-  std::vector<double> forces = soil_rows(from, "external_force", 2);
-  const StandingWater water(from.scene(), from.section(), from.model());
-  std::size_t row = 0;
-  for (std::size_t k = 0; k < from.section().seeds.size() && water.x.present(); ++k) {
-    if (!is_soil(from.section().seeds[k])) continue;
-    const auto i = static_cast<std::size_t>(from.model().storage_of[k]);
-    forces[row++] += water.x[i], forces[row++] += water.y[i];
-  }
-  push_by(forces, m.heap, outside);
+  push_by(soil_rows(from, "external_force", 2), m.heap, outside);
   outside.pore_pressure = pressure_of(soil_rows(from, "pore_pressure", 1), m.heap);
   return outside;
 }

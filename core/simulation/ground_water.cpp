@@ -30,21 +30,6 @@ bool has_ratio(const SceneDef& scene) {
                      [](const MaterialDef& m) { return m.pore_pressure_ratio > 0; });
 }
 
-/// Does the water table run above the ground anywhere? Both are straight between their corners.
-bool stands(const SceneDef& scene, const Section& section) {
-  const std::vector<Point>& ground = section.ground;
-  if (scene.water_table.empty() || ground.size() < 2) return false;
-  if (std::any_of(ground.begin(), ground.end(), [&](const Point& p) { return water_level(scene, p.x) > p.y; }))
-    return true;
-  return std::any_of(scene.water_table.begin(), scene.water_table.end(), [&](const Point& w) {
-    for (std::size_t k = 1; k < ground.size(); ++k) {
-      const Point &a = ground[k - 1], &b = ground[k];
-      if (a.x < w.x && w.x < b.x && w.y > a.y + (b.y - a.y) * (w.x - a.x) / (b.x - a.x)) return true;
-    }
-    return false;
-  });
-}
-
 /// r_u times the weight of what lies above, for the cells of one column from the bottom up.
 void press_column(const SceneDef& scene, const Section& section, std::size_t first, std::size_t last,
                   std::vector<Real>& pressure) {
@@ -76,6 +61,20 @@ Real unit_weight_at(const SceneDef& scene, Index material, const Vec2& place) {
   return wet ? m.saturated_unit_weight : m.unit_weight;
 }
 
+bool water_stands(const SceneDef& scene, const Section& section) {
+  const std::vector<Point>& ground = section.ground;
+  if (scene.water_table.empty() || ground.size() < 2) return false;
+  if (std::any_of(ground.begin(), ground.end(), [&](const Point& p) { return water_level(scene, p.x) > p.y; }))
+    return true;
+  return std::any_of(scene.water_table.begin(), scene.water_table.end(), [&](const Point& w) {
+    for (std::size_t k = 1; k < ground.size(); ++k) {
+      const Point &a = ground[k - 1], &b = ground[k];
+      if (a.x < w.x && w.x < b.x && w.y > a.y + (b.y - a.y) * (w.x - a.x) / (b.x - a.x)) return true;
+    }
+    return false;
+  });
+}
+
 bool has_ground_water(const SceneDef& scene) { return !scene.water_table.empty() || has_ratio(scene); }
 
 std::vector<double> scene_pore_pressure(const SceneDef& scene, const Section& section) {
@@ -100,7 +99,7 @@ std::vector<double> scene_pore_pressure(const SceneDef& scene, const Section& se
 }
 
 StandingWater::StandingWater(const SceneDef& scene, const Section& section, const Model& m) {
-  if (!stands(scene, section)) return;
+  if (!water_stands(scene, section)) return;
   // what a pressure of 1 everywhere pushes a particle by is its surface, outwards
   Array one;
   const auto n = static_cast<std::size_t>(m.storage);

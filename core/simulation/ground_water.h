@@ -10,6 +10,8 @@
 namespace vbgpd {
 
 bool has_ground_water(const SceneDef& scene);
+/// Does the water table run above the ground anywhere?
+bool water_stands(const SceneDef& scene, const Section& section);
 
 /// Elevation of the water table at x; minus infinity without one.
 Real water_level(const SceneDef& scene, Real x);

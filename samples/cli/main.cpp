@@ -97,7 +97,7 @@ int guarded(Command command, const Options& options) {
   } catch (const EngineError& error) {
     std::fprintf(stderr, "%s: error: %s (%s)\n", options.scene.c_str(), error.what(),
                  vbgpd_status_name(error.status()));
-    return kFailure;
+    return error.status() == VBGPD_E_UNSUPPORTED ? kBadInput : kFailure;  // the scene asks for what the engine lacks
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: error: %s\n", options.scene.c_str(), error.what());
     return kFailure;
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Stability of soil slopes by virtual-bond general particle dynamics"};
   app.set_version_flag("--version", std::string("vbgpd ") + vbgpd_version_string());
   app.require_subcommand(1);
-  app.footer("Exit code: 0 done, 2 bad input, 3 not converged, 4 diverged, 130 cancelled.");
+  app.footer("Exit code: 0 done, 1 failure, 2 bad input, 3 not converged, 4 diverged, 130 cancelled.");
   CheckOptions check_options;
   FosOptions fos_options;
   RunOptions run_options;
