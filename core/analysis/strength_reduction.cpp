@@ -215,6 +215,11 @@ class StrengthReductionJob final : public SliceJob {
     result_.status = now_.status, result_.reason = now_.reason;
     if (now_.status == "ENERGY_UNBALANCED") outcome_ = Status::kNotConverged;
     if (!stop_.empty()) result_.reason += "; " + stop_;
+    constexpr double kUseless = 0.2;
+    if (levels.size() > 1 && result_.error_estimate > kUseless * result_.factor_of_safety)
+      result_.reason += "; the estimate is " +
+                        number_text(std::round(100 * result_.error_estimate / result_.factor_of_safety)) +
+                        " % of the value: too coarse to judge the slope by, use a finer spacing";
     if (evened_)
       result_.reason += "; '" + contrast_.stiffest + "' counted as " + number_text(option("stiffness_contrast")) +
                         " times as stiff as '" + contrast_.softest + "', not " + number_text(contrast_.ratio) +

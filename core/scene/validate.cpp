@@ -171,8 +171,8 @@ void check_plausible(const MaterialDef& m, Report& report) {
          "is that of concrete; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI");
   if (m.cohesion >= 1 && m.cohesion < 200)
     warn("cohesion", m.cohesion, " Pa",
-         "looks like " + number_text(m.cohesion) + " kPa: with units SI write " + number_text(1000 * m.cohesion) +
-             ", or set units to kPa");
+         "(" + number_text(m.cohesion / 1000) + " kPa) is next to nothing; if " + number_text(m.cohesion) +
+             " kPa are meant, write " + number_text(1000 * m.cohesion) + " Pa or set units to kPa");
   if (m.young_modulus > 0 && m.young_modulus < 1e4)
     warn("young_modulus", m.young_modulus, " Pa", "is softer than any soil: 1e6 to 1e9 is usual; is it in kPa or MPa?");
 }
@@ -276,6 +276,39 @@ void check_boundaries(const SceneDef& scene, Report& report) {
   }
 }
 
+/// A section that nothing holds up falls; kh that points into the slope makes it safer.
+void check_rest(const SceneDef& scene, Report& report) {
+  const auto holds_up = [](const BoundaryDef& b) {
+    if (b.kind == BoundaryKind::kFree) return false;
+    if (b.kind != BoundaryKind::kRoller) return true;
+    if (b.polyline.size() < 2) return b.side == "base";
+    return std::any_of(b.polyline.begin(), b.polyline.end(),
+                       [&](const Point& p) { return p.x != b.polyline.front().x; });
+  };
+  report.about(ObjectKind::kProfile, -1, "boundaries");
+  const bool weightless = scene.kv <= -0.999;
+  if (!scene.boundaries.empty() && !weightless &&
+      std::none_of(scene.boundaries.begin(), scene.boundaries.end(), holds_up))
+    report.warn(
+        "nothing holds the section up, so that it will fall: fix its base, or leave the list of boundaries out");
+  if (scene.kh == 0 || scene.exterior.size() < 3) return;
+  double left = scene.exterior[0].x, right = left, low = scene.exterior[0].y, high = low;
+  for (const Point& p : scene.exterior)
+    left = std::min(left, p.x), right = std::max(right, p.x), low = std::min(low, p.y), high = std::max(high, p.y);
+  double top_left = low, top_right = low;
+  for (const Point& p : scene.exterior) {
+    if (p.x == left) top_left = std::max(top_left, p.y);
+    if (p.x == right) top_right = std::max(top_right, p.y);
+  }
+  const double fall = top_left - top_right;  // towards +x
+  report.about(ObjectKind::kProfile, -1, "scene");
+  if (fall * scene.kh < -0.1 * (high - low) * std::fabs(scene.kh))
+    report.warn(
+        "kh = " + number_text(scene.kh) + " pushes the soil " + (scene.kh > 0 ? "to the right" : "to the left") +
+            ", away from the low side of the section; the slope is the less safe with " + number_text(-scene.kh),
+        scene.kh);
+}
+
 void check_loads(const SceneDef& scene, Report& report) {
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     const LoadDef& load = scene.loads[i];
@@ -368,6 +401,7 @@ std::vector<Issue> validate(const SceneDef& scene) {
   check_materials(scene, report);
   check_layers(scene, report);
   check_boundaries(scene, report);
+  check_rest(scene, report);
   check_loads(scene, report);
   check_water(scene, report);
   check_settings(scene, report);

@@ -57,7 +57,8 @@ std::string factor_of_safety_label(const FosResult& r) {
     // one grid says nothing about its own error: half its bracket is no error bar
     return std::isfinite(r.error_estimate) && r.levels.size() > 1 ? value + format(" ± %.3f", r.error_estimate) : value;
   }
-  if (r.status == "CANCELLED") return "FS not found";  // a bracket so far may be that of a coarse grid
+  // half a bracket is that of a coarse grid, whose error nobody knows
+  if (r.status == "CANCELLED" || r.status == "NOT_CONVERGED" || r.status == "DIVERGED") return "FS not found";
   const bool above = std::isfinite(r.srf_stable), below = std::isfinite(r.srf_unstable);
   if (above && below) return format("FS between %.3f and %.3f", r.srf_stable, r.srf_unstable);
   if (above) return format("FS > %.3f", r.srf_stable);

@@ -1,6 +1,9 @@
 // vbgpd: factor of safety and critical slip surface of a soil slope, from the command line.
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 
 #include "bad_input.h"
@@ -9,6 +12,16 @@
 #include "scene_file.h"
 
 namespace {
+
+/// CLI11's own says "not in range 0 to 1797693134862315...".
+CLI::Validator positive_number() {
+  const auto check = [](std::string& text) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
+    return good ? std::string() : "'" + text + "' is not a number greater than 0";
+  };
+  return {check, "POSITIVE", "POSITIVE"};
+}
 
 using namespace cli;
 
@@ -20,7 +33,7 @@ void describe_fos(CLI::App& app, FosOptions& options) {
   app.add_option("SCENE", options.scene, "scene file (JSON)")->required();
   app.add_option("--spacing", options.spacing, "m between particles of the finest grid, instead of the scene's")
       ->type_name("H")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   app.add_option("--levels", options.levels,
                  "grids, coarse to fine, the last with the scene's spacing (default 2); 1 = no extrapolation")
       ->type_name("N")
@@ -42,7 +55,7 @@ void describe_fos(CLI::App& app, FosOptions& options) {
       ->check(CLI::Range(0, 1024));
   app.add_option("--tolerance", options.tolerance, "width of the bracket asked for, instead of the scene's")
       ->type_name("T")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   app.add_option("--stiffness-contrast", options.stiffness_contrast,
                  "soils count as at most this many times as stiff as the softest one (default 3)")
       ->type_name("R")
@@ -62,10 +75,10 @@ void describe_run(CLI::App& app, RunOptions& options) {
   app.add_option("--time", options.time, "simulated time to stop at; the run ends before when all is at rest")
       ->type_name("T")
       ->required()
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   app.add_option("--factor", options.factor, "strength reduction factor: c and tan phi are divided by it (default 1)")
       ->type_name("F")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   app.add_option("--frames", options.frames, "how many pictures and particle files between start and T (default 10)")
       ->type_name("N")
       ->check(CLI::Range(1, 10000));
@@ -74,7 +87,7 @@ void describe_run(CLI::App& app, RunOptions& options) {
       ->type_name("DIR");
   app.add_option("--spacing", options.spacing, "m between particles, instead of the scene's")
       ->type_name("H")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   app.add_option("--threads", options.threads, "threads (default 1), 0 = all cores; the result does not depend on it")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
@@ -106,6 +119,13 @@ int guarded(Command command, const Options& options) {
 
 }  // namespace
 
+/// What was printed must have arrived: a full disk is a failure.
+int delivered(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  std::fprintf(stderr, "error: the output could not be written: %s\n", std::strerror(errno));
+  return kFailure;
+}
+
 int main(int argc, char** argv) {
   CLI::App app{"Stability of soil slopes by virtual-bond general particle dynamics"};
   app.set_version_flag("--version", std::string("vbgpd ") + vbgpd_version_string());
@@ -125,6 +145,6 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadInput;
   }
-  if (run->parsed()) return guarded(run_run, run_options);
-  return check->parsed() ? guarded(run_check, check_options) : guarded(run_fos, fos_options);
+  if (run->parsed()) return delivered(guarded(run_run, run_options));
+  return delivered(check->parsed() ? guarded(run_check, check_options) : guarded(run_fos, fos_options));
 }

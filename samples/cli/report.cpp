@@ -26,6 +26,8 @@ std::string level_text(std::size_t i, const vbgpd_level& level) {
   std::string bracket = "no bracket";
   if (std::isfinite(level.srf_stable) && std::isfinite(level.srf_unstable))
     bracket = format("bracket [%.4f, %.4f]", level.srf_stable, level.srf_unstable);
+  else if (std::isfinite(level.srf_stable)) bracket = format("stands at %.4f, no failure shown", level.srf_stable);
+  else if (std::isfinite(level.srf_unstable)) bracket = format("fails at %.4f", level.srf_unstable);
   const std::string middle =
       std::isfinite(level.factor_of_safety) ? format("FS %.4f", level.factor_of_safety) : "FS not found";
   const std::string estimate = i > 0 && std::isfinite(level.error_estimate)

@@ -112,6 +112,12 @@ static void step_profile(vbgpd_context* context, vbgpd_profile* profile) {
   for (i = 0; i < 21; ++i) corners[i] = 99;
   vbgpd_profile_polygon(profile, VBGPD_OBJECT_PROFILE, 0, corners, 24, 7, &n);
   printf("08 outline backwards %d: %" PRId64 " points, checksum %016" PRIX64 "\n", s, n, checksum(corners, 21));
+  s = vbgpd_profile_set_water_table(profile, outline, 16, 2);
+  vbgpd_profile_water_table(profile, NULL, 16, 0, &n);
+  printf("08 water table %d: %" PRId64 " points, then", s, n);
+  s = vbgpd_profile_set_water_table(profile, NULL, 16, 0);
+  vbgpd_profile_water_table(profile, NULL, 16, 0, &n);
+  printf(" %d: %" PRId64 "\n", s, n);
   s = vbgpd_profile_add_material(profile, "soil", 4, &id);
   printf("09 material %d id %" PRId64 ", again: ", s, id);
   PROFILE_FAILED(vbgpd_profile_add_material(profile, "soil", 4, &id));

@@ -237,6 +237,12 @@ contains
     corners(1:2, 1:size(xy, 2)) = xy
     call say("08 outline backwards " // num32(s) // ": " // num(size(xy, 2, c_int64_t)) // " points, checksum " // &
              checksum(words_of(corners)))
+    call profile%set_water_table(outline(:, 1:2), s)
+    call profile%water_table(xy)
+    call begin("08 water table " // num32(s) // ": " // num(size(xy, 2, c_int64_t)) // " points, then ")
+    call profile%set_water_table(outline(:, 1:0), s)
+    call profile%water_table(xy)
+    call say(num32(s) // ": " // num(size(xy, 2, c_int64_t)))
     call profile%add_material("soil", id, s)
     call begin("09 material " // num32(s) // " id " // num(id) // ", again: ")
     call profile%add_material("soil", id, s)

@@ -263,7 +263,8 @@ TEST(Validate, NamesTheLikelySlipOfUnits) {
   expect_warning("materials[0] 'clay': friction_angle = 65 degrees is more than any soil has: 15 to 45 is usual",
                  [](SceneDef& s) { s.materials[0].friction_angle = 65; });
   expect_warning(
-      "materials[0] 'clay': cohesion = 10 Pa looks like 10 kPa: with units SI write 10000, or set units to kPa",
+      "materials[0] 'clay': cohesion = 10 Pa (0.01 kPa) is next to nothing; if 10 kPa are meant, write 10000 Pa or set "
+      "units to kPa",
       [](SceneDef& s) { s.materials[0].cohesion = 10; });
   expect_warning("materials[0] 'clay': cohesion = 2e+07 Pa is that of concrete; if 20000 Pa is meant, set units to SI",
                  [](SceneDef& s) { s.materials[0].cohesion = 2e7; });
@@ -303,6 +304,24 @@ TEST(Validate, ChecksTheFrictionOfABoundaryAndSaysWhereItActs) {
   EXPECT_NE(slips[0].text.find("looks like radians"), std::string::npos);
   for (const double angle : {-1.0, 90.0, kInfinity})
     EXPECT_TRUE(has_error(issues_after([&](SceneDef& s) { s.boundaries[0].friction_angle = angle; }))) << angle;
+}
+
+TEST(Validate, WarnsOfASectionThatNothingHoldsUp) {
+  expect_warning(
+      "boundaries: nothing holds the section up, so that it will fall: fix its base, or leave the list of boundaries "
+      "out",
+      [](SceneDef& s) {
+        s.boundaries = {{"", "left", {}, BoundaryKind::kRoller, 0, 0}};
+      });
+  EXPECT_TRUE(issues_after([](SceneDef& s) { s.boundaries.clear(); }).empty());
+}
+
+TEST(Validate, WarnsOfAnEarthquakeThatPushesAwayFromTheToe) {
+  expect_warning(
+      "scene: kh = -0.1 pushes the soil to the left, away from the low side of the section; the slope is the less safe "
+      "with 0.1",
+      [](SceneDef& s) { s.kh = -0.1; });
+  EXPECT_TRUE(issues_after([](SceneDef& s) { s.kh = 0.1; }).empty());
 }
 
 TEST(Validate, NamesEveryFaultOfAWaterTable) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Collapsing columns and slopes that run out, each to rest: how far, how clean, how well the books balance.
 
-Usage: study.py LIBVBGPD.so [CASE ...]. Prints one row of a Markdown table per case; README.md beside it keeps the rows
-of a dated run. Columns: `front` is the foremost particle of the connected mass plus half a spacing, `q995` the 99.5 %
+Usage: study.py LIBVBGPD.so [--repeat N] [CASE ...]. Prints one row of a Markdown table per case; README.md beside it
+keeps the rows of a dated run. --repeat N: N runs of each case whose moduli differ by 1e-9, mean and standard deviation. Columns: `front` is the foremost particle of the connected mass plus half a spacing, `q995` the 99.5 %
 quantile of x, `lost` the particles that do not hang together with the rest, `noise` the RMS of the vertical stress
 against a linear fit over the neighbours, relative to gamma H, when at rest and (where that is later) at 10 sqrt(H/g),
 `residual` what the energy ledger does not explain.
@@ -137,7 +137,33 @@ def run(case, library):
         print("| " + " | ".join(cells) + " |", flush=True)
 
 
+def scatter(case, library, runs):
+    q995, lost, noise = [], [], []
+    for k in range(runs):
+        with vbgpd.Context(library=library) as context, \
+                model_of(context, case._replace(modulus=case.modulus * (1 + 1e-9 * k))) as model:
+            with vbgpd.Job.runout(model, end_time=float(case.seconds)) as job:
+                job.run()
+            later = 10 * math.sqrt(case.height / GRAVITY)
+            if model.get("time") < later:
+                model.advance_to(later)
+            x = model.field("position")
+            dx = math.sqrt(model.get("spacing_x") * model.get("spacing_y"))
+            q995.append(numpy.quantile(x[:, 0], 0.995))
+            lost.append((~largest_mass(x, 1.6 * dx)).sum())
+            noise.append(noise_of(x, model.field("stress")[:, 1], 2.6 * dx, case.density * GRAVITY * case.height))
+    print(f"| {case.name} | {runs} | {numpy.mean(q995):.4f} | {numpy.std(q995):.4f} | {min(lost)} to {max(lost)} | "
+          f"{numpy.mean(lost):.1f} | {numpy.mean(noise):.4f} |", flush=True)
+
+
 def main(library, *chosen):
+    if chosen[:1] == ("--repeat",):
+        print("| case | runs | q995, mean | standard deviation | lost | lost, mean | noise later, mean |")
+        print("|" + "---|" * 7)
+        for case in CASES:
+            if len(chosen) == 2 or any(word in case.name for word in chosen[2:]):
+                scatter(case, library, int(chosen[1]))
+        return
     print("| case | particles | front | q995 | height at the wall | area | lost | least distance / dx | noise | later | "
           "KE end / peak | residual | viscous share | alpha c h, m2/s | end | steps | CPU s |")
     print("|" + "---|" * 17)
