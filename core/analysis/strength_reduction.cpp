@@ -8,6 +8,7 @@
 #include "analysis/stiffness_contrast.h"
 #include "geometry/thickness.h"
 #include "scene/wording.h"
+#include "simulation/build_model.h"
 #include "simulation/take_over.h"
 
 namespace vbgpd {
@@ -197,6 +198,18 @@ class StrengthReductionJob final : public SliceJob {
 
   bool met() const { return now_.status == "OK" && now_.discretisation && now_.error <= target_; }
 
+  /// Soils whose cohesion was counted as the least that a grid of that spacing can have (least_cohesion).
+  std::string raised_cohesion(double spacing) const {
+    std::string text;
+    for (const MaterialDef& m : simulation_.scene().materials) {
+      const double least = m.law == "elastic" ? 0 : least_cohesion(m, spacing);
+      if ((std::isnan(m.cohesion) ? 0 : m.cohesion) < least)
+        text += "; '" + m.name + "' counted with a cohesion of " + number_text(least, 3) +
+                " Pa, 3 % of the weight of one layer of particles";
+    }
+    return text;
+  }
+
   /// Grids that were asked for and could not be bracketed leave no answer; those that were only wished for leave that
   /// of the grids before.
   void conclude() {
@@ -220,6 +233,7 @@ class StrengthReductionJob final : public SliceJob {
       result_.reason += "; the estimate is " +
                         number_text(std::round(100 * result_.error_estimate / result_.factor_of_safety)) +
                         " % of the value: too coarse to judge the slope by, use a finer spacing";
+    result_.reason += raised_cohesion(std::sqrt(levels.back().spacing_x * levels.back().spacing_y));
     if (evened_)
       result_.reason += "; '" + contrast_.stiffest + "' counted as " + number_text(option("stiffness_contrast")) +
                         " times as stiff as '" + contrast_.softest + "', not " + number_text(contrast_.ratio) +
