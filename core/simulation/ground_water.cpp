@@ -30,7 +30,7 @@ bool has_ratio(const SceneDef& scene) {
                      [](const MaterialDef& m) { return m.pore_pressure_ratio > 0; });
 }
 
-/// r_u times the weight of what lies above, for the cells of one column from the bottom up.
+/// r_u times the weight of what lies above, for the cells of one column, which come from the bottom up.
 void press_column(const SceneDef& scene, const Section& section, std::size_t first, std::size_t last,
                   std::vector<Real>& pressure) {
   Real above = 0;  // Pa
@@ -64,12 +64,13 @@ Real unit_weight_at(const SceneDef& scene, Index material, const Vec2& place) {
 bool water_stands(const SceneDef& scene, const Section& section) {
   const std::vector<Point>& ground = section.ground;
   if (scene.water_table.empty() || ground.size() < 2) return false;
-  if (std::any_of(ground.begin(), ground.end(), [&](const Point& p) { return water_level(scene, p.x) > p.y; }))
-    return true;
+  const Real slack = 1e-6 * section.height;  // a table drawn along the ground does not stand on it
+  const auto covers = [&](const Point& p) { return water_level(scene, p.x) > p.y + slack; };
+  if (std::any_of(ground.begin(), ground.end(), covers)) return true;
   return std::any_of(scene.water_table.begin(), scene.water_table.end(), [&](const Point& w) {
     for (std::size_t k = 1; k < ground.size(); ++k) {
       const Point &a = ground[k - 1], &b = ground[k];
-      if (a.x < w.x && w.x < b.x && w.y > a.y + (b.y - a.y) * (w.x - a.x) / (b.x - a.x)) return true;
+      if (a.x < w.x && w.x < b.x && w.y > a.y + (b.y - a.y) * (w.x - a.x) / (b.x - a.x) + slack) return true;
     }
     return false;
   });

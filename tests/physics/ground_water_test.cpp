@@ -139,6 +139,15 @@ TEST(GroundWater, ThatStandsOnTheGroundIsRefusedInARunOut) {
   }
 }
 
+TEST(GroundWater, DrawnAlongTheGroundDoesNotStandOnIt) {
+  SceneDef s = wet_slope(0);
+  s.water_table = {{0, 10}, {12, 10}, {19.7, 10 - 7.7 / 2}, {32, 0}};
+  const LatticeSimulation model(s, {}, best_kernels());
+  EXPECT_FALSE(water_stands(s, model.section()));
+  for (Point& p : s.water_table) p.y += 0.01;
+  EXPECT_TRUE(water_stands(s, model.section()));
+}
+
 TEST(GroundWater, PressesOnTheGroundItStandsOn) {
   const LatticeSimulation s(wet_slope(12), {}, best_kernels());
   const StandingWater water(s.scene(), s.section(), s.model());
