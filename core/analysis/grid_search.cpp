@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/stiffness_contrast.h"
 #include "scene/wording.h"
 
 namespace vbgpd {
@@ -19,14 +20,9 @@ constexpr int kLong = 14;    // ... where one further away would do
 
 /// The masses of the relaxation follow the stiffness: a mechanism in the stiffest soil gathers speed so many times more
 /// slowly than one in the softest, which the elastic response does not show.
-double slowness(const SceneDef& scene) {
-  double softest = INFINITY, stiffest = 0;
-  for (const MaterialDef& m : scene.materials) {
-    if (m.law == "elastic") continue;
-    softest = std::min(softest, m.young_modulus), stiffest = std::max(stiffest, m.young_modulus);
-  }
+double slowness(const Simulation& simulation) {
   constexpr double kMost = 32;  // a thousandfold stiffness; beyond that nobody would wait
-  return stiffest > softest ? std::min(std::sqrt(stiffest / softest), kMost) : 1;
+  return std::min(std::sqrt(stiffness_contrast(simulation).ratio), kMost);
 }
 
 }  // namespace
@@ -90,7 +86,7 @@ Slices GridSearch::gravity() {
     co_yield Pause{};
   }
   response_ = std::max<std::int64_t>(response_, 4 * kWindow);
-  response_ = static_cast<std::int64_t>(static_cast<double>(response_) * slowness(simulation_.scene()));
+  response_ = static_cast<std::int64_t>(static_cast<double>(response_) * slowness(simulation_));
   simulation_.halt();
   gravity_ = standing_ = simulation_.save();
 }

@@ -36,6 +36,7 @@ void press_column(const SceneDef& scene, const Section& section, std::size_t fir
   Real above = 0;  // Pa
   for (std::size_t k = last; k-- > first;) {
     const Seed& seed = section.seeds[k];
+    if (!seed.active) continue;
     const Real own = unit_weight_at(scene, seed.material, section.place(k)) * seed.volume / section.lattice.spacing.x();
     const Real ratio = scene.materials[static_cast<std::size_t>(seed.material)].pore_pressure_ratio;
     if (ratio > 0) pressure[k] = ratio * (above + own / 2);

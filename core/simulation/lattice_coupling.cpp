@@ -23,6 +23,10 @@ Array by_storage(const Model& m, const std::vector<double>& rows, std::size_t co
 
 }  // namespace
 
+Array LatticeSimulation::stored_pressure(const std::vector<double>& rows) const {
+  return by_storage(model_, rows, 1, 0, 2);
+}
+
 void LatticeSimulation::write(int field, const std::vector<double>& rows) {
   audit_.valid = false;
   const FieldInfo& info = fields()[static_cast<std::size_t>(field)];
@@ -35,7 +39,7 @@ void LatticeSimulation::write(int field, const std::vector<double>& rows) {
   if (name == "velocity") return write_velocity(rows);
   Outside changed = outside_;
   if (name == "pore_pressure") {
-    changed.pore_pressure = by_storage(model_, rows, 1, 0, 2);
+    changed.pore_pressure = stored_pressure(rows);
   } else {
     changed.external_x = by_storage(model_, rows, 2, 0, 3);
     changed.external_y = by_storage(model_, rows, 2, 1, 4);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "simulation/build_model.h"
+#include "simulation/ground_water.h"
 #include "simulation/lattice_simulation.h"
 #include "simulation/placement.h"
 
@@ -47,7 +48,16 @@ void LatticeSimulation::set_layers(const Layers& wanted) {
   bool adds = false;
   for (const Seed& seed : section_.seeds) adds |= !seed.active && has_layer(layers, seed.layer);
   const bool places = adds && has_moved(state_);
-  Stage next = stage(layers, places || model_.features.placed, drive_, outside_, factor_);
+  Outside outside = outside_;
+  if (has_ground_water(scene_)) {  // r_u counts the soil that is there; what a host has written stays
+    Section section = section_;
+    keep_layers(scene_, layers, section);
+    std::vector<double> present;
+    read(find_field("pore_pressure"), present);
+    if (present == scene_pore_pressure(scene_, section_))
+      outside.pore_pressure = stored_pressure(scene_pore_pressure(scene_, section));
+  }
+  Stage next = stage(layers, places || model_.features.placed, drive_, outside, factor_);
   if (places) evaluate();  // gradients of the state as it is
   next.state = carried_over(section_, model_, state_, scratch_, next.model, places, next.scratch);
   // whoever digs or fills does the work that the books would lack
@@ -59,6 +69,7 @@ void LatticeSimulation::set_layers(const Layers& wanted) {
     exchange(next);
     throw;
   }
+  outside_ = std::move(outside);
   since_restart_ = 0;
   force_version_ = ++newest_force_version_;
 }

@@ -92,6 +92,7 @@ class LatticeSimulation final : public Simulation {
   void load(const Drive& drive, const Outside& outside, const Section& section, Model& model) const;
   StepReport march(const Goal& goal, const StepWatch& watch) override;
   /// Forces of a drive and from outside, anew; when memory runs out, as before.
+  Array stored_pressure(const std::vector<double>& rows) const;  ///< by particle id into storage order
   void take_forces(Drive drive, Outside outside);
   void write_velocity(const std::vector<double>& rows);
   StepData data(State& state, Scratch& scratch) const;

@@ -64,6 +64,26 @@ TEST(GroundWater, RatioOfPorePressureIsThatOfTheWeightAbove) {
       EXPECT_NEAR(pressure[k], 0.4 * 20e3 * (10 - place[2 * k + 1]), 1e-6 * 80e3);
 }
 
+TEST(GroundWater, RatioCountsTheLayersThatAreThere) {
+  SceneDef scene = block(soil("mohr_coulomb", 10e3, 20), 10, 10, 0.5);
+  scene.materials[0].pore_pressure_ratio = 0.4;
+  scene.layers.push_back({scene.materials[0].name, {{0, 6}, {10, 6}, {10, 10}, {0, 10}}});
+  LatticeSimulation s(scene, {}, best_kernels());
+  s.set_layers({true, false});
+  CompileOptions coarse;
+  coarse.coarsening = 2;
+  LatticeSimulation other(scene, coarse, best_kernels());
+  take_over(s, other);
+  for (const LatticeSimulation* one : {&s, &other}) {
+    const std::vector<double> place = field(*one, "reference_position"), pressure = field(*one, "pore_pressure");
+    for (std::size_t k = 0; k < pressure.size(); ++k)
+      if (place[2 * k] > 0 && place[2 * k] < 10 && place[2 * k + 1] < 6)
+        EXPECT_NEAR(pressure[k], 0.4 * 20e3 * (6 - place[2 * k + 1]), 1e-6 * 80e3);
+  }
+  s.set_layers({true, true});
+  EXPECT_EQ(field(s, "pore_pressure"), field(LatticeSimulation(scene, {}, best_kernels()), "pore_pressure"));
+}
+
 TEST(GroundWater, LeavesSoilUnderWaterItsBuoyantWeight) {
   for (const double level : {10.0, 60.0}) {
     SceneDef dry = slope(soil("mohr_coulomb", 10e3, 20), 1);

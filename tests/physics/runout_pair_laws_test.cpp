@@ -336,8 +336,8 @@ TEST(RunoutPairLaws, CollidingRingsStayWholeWithArtificialStressAtALossOfEnergy)
 
 TEST(RunoutPairLaws, CollidingRingsBreakNumericallyInPlainSph) { EXPECT_GT(collided("sph").pieces, 2); }
 
-/// They break or stick to one another: which of the two is a matter of round-off.
-TEST(RunoutPairLaws, CollidingRingsDoNotPartWholeWithoutBonds) { EXPECT_NE(collided("none").pieces, 2); }
+/// They break, stick to one another or part in two: which of them is a matter of round-off. Not that they lose energy.
+TEST(RunoutPairLaws, CollidingRingsLoseMoreEnergyWithoutBonds) { EXPECT_LT(collided("none").kinetic_share, 0.55); }
 
 }  // namespace
 }  // namespace vbgpd::test

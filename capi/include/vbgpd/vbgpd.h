@@ -342,7 +342,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_runout(vbgpd_model*, vbgpd_jo
  * keeping is saved before. When it has ended the model is left in the failing state of
  * the grid with the profile's spacing, so that its fields show the mechanism; it is the finest one unless a target or a budget
  * went on to finer ones, or ended before it (then the model is as it was). Without a bracket it stands still in the last trial on
- * that grid, or where that diverged as it was. A job destroyed under way leaves what its last slice left, velocities of the
+ * that grid, or where that diverged as it was. Soils further apart in stiffness than "stiffness_contrast" are searched on a grid of
+ * their own: then the model stays as it was until the end, and displacement_level counts the evened stiffness. A job destroyed under way leaves what its last slice left, velocities of the
  * relaxation and the factor of the trial with it: save a state before, or restore one. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_equilibrium(vbgpd_model*, vbgpd_job** out);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_strength_reduction(vbgpd_model*, vbgpd_job** out);
