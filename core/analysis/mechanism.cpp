@@ -6,6 +6,7 @@
 #include <map>
 
 #include "analysis/cell_grid.h"
+#include "geometry/polygon.h"
 
 namespace vbgpd {
 
@@ -234,9 +235,8 @@ Vec2 nearest_on(const Polygon& exterior, const Vec2& x) {
   double least = INFINITY;
   for (std::size_t k = 0; k < exterior.size(); ++k) {
     const Point &p = exterior[k], &q = exterior[(k + 1) % exterior.size()];
-    const Vec2 a(p.x, p.y), e = Vec2(q.x, q.y) - a;
-    const double t = e.squaredNorm() > 0 ? std::clamp((x - a).dot(e) / e.squaredNorm(), 0.0, 1.0) : 0;
-    if ((a + t * e - x).norm() < least) least = (a + t * e - x).norm(), best = a + t * e;
+    const Vec2 near = nearest_on_segment(x, {p.x, p.y}, {q.x, q.y});
+    if ((near - x).norm() < least) least = (near - x).norm(), best = near;
   }
   return best;
 }

@@ -81,11 +81,15 @@ bool is_convex(const Vertices& polygon) {
   return true;
 }
 
-Real distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 ab = b - a;
   const Real length2 = ab.squaredNorm();
   const Real t = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, Real(0), Real(1)) : Real(0);
-  return (a + t * ab - p).norm();
+  return a + t * ab;
+}
+
+Real distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  return (nearest_on_segment(p, a, b) - p).norm();
 }
 
 Real coordinate_noise(const Box& scene_box) {

@@ -46,6 +46,8 @@ bool contains(const Vertices& polygon, const Vec2& p);
 
 bool is_convex(const Vertices& counter_clockwise_polygon);
 
+/// The point of the segment ab nearest to p.
+Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b);
 /// Distance of p from the segment ab.
 Real distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/polygon.h"
 #include "simulation/outside.h"
 
 namespace vbgpd {
@@ -11,15 +12,10 @@ namespace {
 
 Vec2 vector_of(const Point& p) { return {p.x, p.y}; }
 
-Vec2 nearest_on(const Vec2& a, const Vec2& b, const Vec2& x) {
-  const Real length2 = (b - a).squaredNorm();
-  return length2 > 0 ? Vec2(a + std::clamp<Real>((x - a).dot(b - a) / length2, 0, 1) * (b - a)) : a;
-}
-
 Vec2 nearest_ground(const std::vector<Point>& ground, const Vec2& x) {
   Vec2 nearest = vector_of(ground.front());
   for (std::size_t k = 1; k < ground.size(); ++k) {
-    const Vec2 candidate = nearest_on(vector_of(ground[k - 1]), vector_of(ground[k]), x);
+    const Vec2 candidate = nearest_on_segment(x, vector_of(ground[k - 1]), vector_of(ground[k]));
     if ((candidate - x).squaredNorm() < (nearest - x).squaredNorm()) nearest = candidate;
   }
   return nearest;

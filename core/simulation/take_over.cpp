@@ -59,8 +59,8 @@ void take_over(const Simulation& from, Simulation& to) {
   to.set_drive(from.drive());
   const std::vector<double> pressures = read(from, "pore_pressure"), forces = read(from, "external_force");
   // the other grid has the water of the scene already, better than it could be carried over
-  const bool wetted = pressures != scene_pore_pressure(from.scene(), from.section()) &&
-                      !(all_zero(pressures) && !has_ground_water(from.scene()));
+  const bool wetted = (has_ground_water(from.scene()) || !all_zero(pressures)) &&
+                      pressures != scene_pore_pressure(from.scene(), from.section());
   if (!wetted && all_zero(forces)) return;
   const std::vector<Point> here = places(from), there = places(to);
   if (wetted) {
