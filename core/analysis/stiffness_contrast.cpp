@@ -5,10 +5,7 @@
 
 namespace vbgpd {
 
-namespace {
-
-/// The soils of the section that may yield.
-std::vector<std::size_t> soils_there(const Simulation& simulation) {
+std::vector<std::size_t> yielding_soils(const Simulation& simulation) {
   const std::vector<MaterialDef>& materials = simulation.scene().materials;
   std::vector<bool> there(materials.size(), false);
   for (const Seed& s : simulation.section().seeds) {
@@ -21,11 +18,9 @@ std::vector<std::size_t> soils_there(const Simulation& simulation) {
   return out;
 }
 
-}  // namespace
-
 StiffnessContrast stiffness_contrast(const Simulation& simulation) {
   const std::vector<MaterialDef>& materials = simulation.scene().materials;
-  const std::vector<std::size_t> there = soils_there(simulation);
+  const std::vector<std::size_t> there = yielding_soils(simulation);
   if (there.empty()) return {};
   const auto softer = [&](std::size_t a, std::size_t b) {
     return materials[a].young_modulus < materials[b].young_modulus;
@@ -37,7 +32,7 @@ StiffnessContrast stiffness_contrast(const Simulation& simulation) {
 
 SceneDef with_contrast(const Simulation& simulation, double most) {
   SceneDef scene = simulation.scene();
-  const std::vector<std::size_t> soils = soils_there(simulation);
+  const std::vector<std::size_t> soils = yielding_soils(simulation);
   double softest = INFINITY;
   for (std::size_t m : soils) softest = std::min(softest, scene.materials[m].young_modulus);
   for (std::size_t m : soils)

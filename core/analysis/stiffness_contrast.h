@@ -5,6 +5,9 @@
 
 namespace vbgpd {
 
+/// Numbers of the soils of the section that may yield.
+std::vector<std::size_t> yielding_soils(const Simulation& simulation);
+
 struct StiffnessContrast {
   double ratio = 1;               ///< of the stiffest soil of the section to the softest, Young's moduli
   std::string stiffest, softest;  ///< their names

@@ -7,7 +7,7 @@
 #include "analysis/slice_job.h"
 #include "analysis/stiffness_contrast.h"
 #include "geometry/thickness.h"
-#include "scene/wording.h"
+#include "scene/quantity.h"
 #include "simulation/build_model.h"
 #include "simulation/take_over.h"
 
@@ -201,11 +201,13 @@ class StrengthReductionJob final : public SliceJob {
   /// Soils whose cohesion was counted as the least that a grid of that spacing can have (least_cohesion).
   std::string raised_cohesion(double spacing) const {
     std::string text;
-    for (const MaterialDef& m : simulation_.scene().materials) {
-      const double least = m.law == "elastic" ? 0 : least_cohesion(m, spacing);
+    for (const std::size_t soil : yielding_soils(simulation_)) {
+      const MaterialDef& m = simulation_.scene().materials[soil];
+      const double least = least_cohesion(m, spacing);
       if ((std::isnan(m.cohesion) ? 0 : m.cohesion) < least)
-        text += "; '" + m.name + "' counted with a cohesion of " + number_text(least, 3) +
-                " Pa, 3 % of the weight of one layer of particles";
+        text += "; '" + m.name + "' counted with a cohesion of " +
+                quantity_text(least, "Pa", simulation_.scene().units, 3) +
+                ", 3 % of the weight of one layer of particles";
     }
     return text;
   }

@@ -7,23 +7,34 @@
 #include <string_view>
 #include <vector>
 
+#include "exchange/text_position.h"
+
 namespace flatbuffers {
 struct StructDef;
 }
 
 namespace vbgpd {
 
-/// One fault of the text and where it is (byte offset).
+/// One fault of the text, where it is (byte offset) and which value it concerns ("materials[1].cohesion").
 struct TextProblem {
   std::size_t offset = 0;
+  std::string path;
   std::string text;
 };
 
-/// Holds JSON text against a table of a schema: every name known, every value of the right kind, nothing (needed) left
-/// out. Stops quietly at the first thing that is not JSON.
-std::vector<TextProblem> check_json(std::string_view json, const flatbuffers::StructDef& table);
+struct TextCheck {
+  std::vector<TextProblem> problems;  ///< the first twenty, in the order of the text
+  std::string mended;                 ///< the text without the values at fault, so that the rest of it can be read
+};
 
-/// "3:17": line and column of a byte, both from 1, the column in characters.
-std::string position_text(std::string_view text, std::size_t offset);
+/// Holds JSON text against a table of a schema: every name known, every value of the right kind and of those listed
+/// (one_of), nothing (needed) left out. Stops quietly at the first thing that is not JSON.
+TextCheck check_json(std::string_view json, const flatbuffers::StructDef& table);
+
+/// Byte offset of the value called `path`, or of the nearest thing around it that is there.
+std::size_t place_of(std::string_view path, std::string_view json, const flatbuffers::StructDef& table);
+
+/// Line and column of a byte.
+TextPosition position(std::string_view text, std::size_t offset);
 
 }  // namespace vbgpd

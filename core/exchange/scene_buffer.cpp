@@ -29,6 +29,7 @@ class Reader {
   SceneDef read(const schema::Scene& from) {
     read_units(from.units());
     SceneDef scene;
+    scene.units = stress_ == 1 ? Units::kSI : Units::kKilopascal;
     take(from.name(), "name", scene.name);
     take(from.source(), "source", scene.source);
     if (from.profile()) take(from.profile()->exterior(), "profile.exterior", scene.exterior);

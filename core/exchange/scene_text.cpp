@@ -3,6 +3,7 @@
 #include <flatbuffers/idl.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/error.h"
 #include "exchange/json_check.h"
@@ -63,22 +64,111 @@ std::string parser_message(std::string said, const std::string& source) {
   return source + ":" + said;
 }
 
-}  // namespace
+/// Parses the schema, so that its description of a scene can be looked at.
+class Schema {
+ public:
+  Schema() : parser_(strict_options()) {
+    if (!parser_.Parse(kSchemaText))
+      throw Error(Status::kInternal, "the scene schema does not parse: " + parser_.error_);
+  }
+  const fb::StructDef& scene() const { return *parser_.root_struct_def_; }
+  fb::Parser& parser() { return parser_; }
 
-std::vector<std::uint8_t> scene_text_to_flatbuffer(std::string_view json, const std::string& source_name) {
-  const std::string text(plain_text(json, source_name));
-  fb::Parser parser(strict_options());
-  if (!parser.Parse(kSchemaText)) throw Error(Status::kInternal, "the scene schema does not parse: " + parser.error_);
+ private:
+  fb::Parser parser_;
+};
 
-  std::string problems;
-  for (const TextProblem& problem : check_json(text, *parser.root_struct_def_))
-    problems +=
-        (problems.empty() ? "" : "\n") + source_name + ":" + position_text(text, problem.offset) + ": " + problem.text;
-  if (!problems.empty()) throw Error(Status::kFormat, problems);
-
-  if (!parser.ParseJson(text.c_str())) throw Error(Status::kFormat, parser_message(parser.error_, source_name));
+std::vector<std::uint8_t> parsed(fb::Parser& parser, const std::string& text, const std::string& source) {
+  if (!parser.ParseJson(text.c_str())) throw Error(Status::kFormat, parser_message(parser.error_, source));
   const std::uint8_t* bytes = parser.builder_.GetBufferPointer();
   return {bytes, bytes + parser.builder_.GetSize()};
+}
+
+/// What is left when everything at fault is taken out; nothing where that is no scene either.
+std::vector<std::uint8_t> remainder(Schema& schema, const TextCheck& check) {
+  const auto misleads = [](const TextProblem& p) { return p.path == "units"; };  // every number depends on it
+  if (std::any_of(check.problems.begin(), check.problems.end(), misleads)) return {};
+  schema.parser().opts.skip_unexpected_fields_in_json = true;
+  try {
+    return parsed(schema.parser(), check.mended, "");
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+/// "materials[1]" of "materials[1].cohesion"; a setting of the scene ("spacing", "seismic.kh") stands alone.
+std::string_view object_of(std::string_view path) {
+  constexpr std::array<std::string_view, 3> kSettings{"numerics", "seismic", "strength_reduction"};
+  const std::string_view first = path.substr(0, path.find('.'));
+  if (std::find(kSettings.begin(), kSettings.end(), first) != kSettings.end()) return path;
+  return first;
+}
+
+std::string_view list_of(std::string_view object) { return object.substr(0, object.find('[')); }
+
+/// "[3]" of "vertex 3 lies on edge 5", "vertices 3 and 4 are", "edges 3 and 7 cross", else nothing.
+std::string corner_of(std::string_view sentence) {
+  for (const std::string_view word : {"vertex ", "vertices ", "edges "})
+    if (sentence.starts_with(word)) {
+      sentence.remove_prefix(word.size());
+      return "[" + std::string(sentence.substr(0, sentence.find_first_not_of("0123456789"))) + "]";
+    }
+  return {};
+}
+
+/// "materials[1].cohesion" of "materials[1] 'sand': cohesion = -1 Pa: must be >= 0".
+std::string path_of(std::string_view issue) {
+  std::size_t end = std::min(issue.find(": "), issue.size());
+  std::string path(issue.substr(0, std::min(issue.find(" '"), end)));
+  if (path.size() < end) end = std::min(issue.find("': "), issue.size() - 1) + 1;
+  issue.remove_prefix(std::min(end + 2, issue.size()));
+  const std::string_view word = issue.substr(0, issue.find_first_of(" :,"));
+  if (const std::string corner = corner_of(issue); !corner.empty())
+    return path + (path.starts_with("layers[") ? ".polygon" : "") + corner;
+  if (path != "scene") return path.append(".").append(word);
+  if (word == "kh" || word == "kv") return std::string("seismic.").append(word);
+  if (word.starts_with("srf_"))
+    return std::string("strength_reduction.").append(word == "srf_tolerance" ? word.substr(4) : word);
+  for (const std::string_view name : {"bond", "kernel", "smoothing_ratio", "jitter"})
+    if (word == name) return std::string("numerics.").append(word);
+  return std::string(word);
+}
+
+}  // namespace
+
+SceneText read_scene_text(std::string_view json, const std::string& source_name) {
+  const std::string text(plain_text(json, source_name));
+  Schema schema;
+  const TextCheck check = check_json(text, schema.scene());
+  SceneText scene;
+  for (const TextProblem& p : check.problems) scene.faults.push_back({position(text, p.offset), p.path, p.text});
+  scene.bytes = check.problems.empty() ? parsed(schema.parser(), text, source_name) : remainder(schema, check);
+  return scene;
+}
+
+std::vector<std::uint8_t> scene_text_to_flatbuffer(std::string_view json, const std::string& source_name) {
+  SceneText scene = read_scene_text(json, source_name);
+  std::string faults;
+  for (const SceneFault& fault : scene.faults)
+    faults += (faults.empty() ? "" : "\n") + source_name + ":" + fault.position.text() + ": " + fault.text;
+  if (!faults.empty()) throw Error(Status::kFormat, faults);
+  return std::move(scene.bytes);
+}
+
+TextPosition issue_position(std::string_view issue, std::string_view json) {
+  const std::string text(plain_text(json, ""));
+  return position(text, place_of(path_of(issue), text, Schema().scene()));
+}
+
+bool may_follow_from(std::string_view issue, const SceneFault& fault) {
+  const std::string path = path_of(issue);
+  const std::string_view object = object_of(path), faulty = object_of(fault.path);
+  const std::string_view list = list_of(object), faulty_list = list_of(faulty);
+  if (object == faulty) return true;
+  if (list == faulty_list && (object == list || faulty == faulty_list)) return true;  // a list that is not there
+  if (faulty == "profile") return list != "materials";
+  const bool names_soil = fault.path == faulty || fault.path.ends_with(".name");
+  return faulty_list == "materials" && names_soil && path.ends_with(".material");
 }
 
 }  // namespace vbgpd

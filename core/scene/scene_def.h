@@ -13,6 +13,9 @@ struct Point {
 };
 using Polygon = std::vector<Point>;  ///< any winding, first vertex not repeated (a repeated last vertex is dropped)
 
+/// The units a scene was written in, for messages; every number here is in SI.
+enum class Units { kSI, kKilopascal };
+
 /// A soil. `law` names an entry of material/any_material.h. kNone (NaN) marks a value the user left out.
 struct MaterialDef {
   std::string name;
@@ -69,6 +72,7 @@ struct StrengthReductionDef {
 
 struct SceneDef {
   std::string name, source;
+  Units units = Units::kSI;  ///< that messages are to use
   Polygon exterior;
   std::vector<MaterialDef> materials;
   std::vector<LayerDef> layers;

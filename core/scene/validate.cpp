@@ -8,6 +8,7 @@
 
 #include "base/types.h"
 #include "scene/properties.h"
+#include "scene/quantity.h"
 #include "scene/wording.h"
 
 namespace vbgpd {
@@ -22,20 +23,8 @@ constexpr int kPointsReported = 10;  // of one polygon; a file of garbage coordi
 
 std::string quoted(std::string_view text) { return std::string("\"").append(text).append("\""); }
 
-/// UDUNITS as people write it behind a number, with the space before it.
-std::string unit_text(std::string_view unit) {
-  if (unit == "1") return "";
-  if (unit == "degree") return " degrees";
-  if (const auto blank = unit.find(' '); blank != unit.npos) {  // "N m-3" -> "N/m3"
-    std::string below(unit.substr(blank + 1));
-    std::erase(below, '-');
-    if (below.back() == '1') below.pop_back();
-    return std::string(" ").append(unit.substr(0, blank)).append("/").append(below);
-  }
-  return std::string(" ").append(unit);
-}
-
-std::string range_text(const Property& p) {
+std::string range_text(const Property& p, Units units) {
+  const auto number_text = [&](double v) { return vbgpd::number_text(in_units(v, p.unit, units)); };
   const bool below = std::isfinite(p.min_value), above = std::isfinite(p.max_value);
   if (below && above)
     return std::string("in ") + (p.min_open ? "(" : "[") + number_text(p.min_value) + ", " + number_text(p.max_value) +
@@ -50,6 +39,9 @@ bool in_range(const Property& p, double v) {
 /// Gathers the issues of one object after the other; `label` starts every sentence: materials[2] 'clay'.
 class Report {
  public:
+  explicit Report(Units units) : units(units) {}
+
+  const Units units;
   std::vector<Issue> issues;
 
   void about(ObjectKind object, std::int64_t id, std::string label) {
@@ -99,14 +91,16 @@ void check_numbers(const SceneDef& scene, ObjectKind object, std::int64_t id, Re
     const double v = *find_property(scene, object, id, p.name);
     const std::string name = p.name;
     if (std::isnan(v) && p.required) {
-      report.error(Status::kArgument, name + " is missing: a number in" + unit_text(p.unit) + " is needed. " + p.doc);
+      report.error(Status::kArgument,
+                   name + " is missing: a number in" + unit_text(p.unit, report.units) + " is needed. " + p.doc);
     } else if (std::isnan(v) && std::isnan(p.default_value)) {
       continue;  // left out
     } else if (!std::isfinite(v)) {
       report.error(Status::kRange, name + " = " + number_text(v) + ": must be a finite number", v);
     } else if (!in_range(p, v)) {
       report.error(Status::kRange,
-                   name + " = " + number_text(v) + unit_text(p.unit) + ": must be " + range_text(p) + range_hint(p, v),
+                   name + " = " + quantity_text(v, p.unit, report.units) + ": must be " + range_text(p, report.units) +
+                       range_hint(p, v),
                    v);
     }
   }
@@ -137,8 +131,10 @@ void check_points(const Polygon& points, const std::string& name, Report& report
 
 void check_corners(const Polygon& polygon, const std::string& name, Report& report) {
   if (const std::size_t n = corner_count(polygon); n < 3)
-    report.error(Status::kGeometry, name + " has " + std::to_string(n) + (n == 1 ? " vertex" : " vertices") +
-                                        ": an area needs at least 3");
+    report
+        .error(Status::kGeometry,
+               name + " has " + std::to_string(n) + (n == 1 ? " vertex" : " vertices") + ": an area needs at least 3")
+        .item = 0;
   check_points(polygon, name, report);
 }
 
@@ -153,43 +149,52 @@ void check_friction_angle(double angle, const char* owner, Report& report) {
 
 /// Values that are allowed but look like a slip of units.
 void check_plausible(const MaterialDef& m, Report& report) {
+  const Units units = report.units;
+  const bool kilo = units == Units::kKilopascal;
   const auto warn = [&](const char* name, double v, const char* unit, const std::string& text) {
-    report.warn(std::string(name) + " = " + number_text(v) + unit + " " + text, v);
+    report.warn(std::string(name) + " = " + quantity_text(v, unit, units) + " " + text, v);
+  };
+  const auto usual = [&](double from, double to, const char* unit) {
+    return number_text(in_units(from, unit, units)) + " to " + number_text(in_units(to, unit, units)) + " is usual";
   };
   if (m.unit_weight >= 1 && m.unit_weight < 1000)
-    warn("unit_weight", m.unit_weight, " N/m3",
-         "looks like " + number_text(m.unit_weight) + " kN/m3: with units SI write " +
-             number_text(1000 * m.unit_weight) + ", or set units to kPa");
-  if (m.unit_weight >= 1e6)
-    warn("unit_weight", m.unit_weight, " N/m3",
-         "looks like " + number_text(m.unit_weight / 1000) + " N/m3 written with units kPa: set units to SI");
+    warn("unit_weight", m.unit_weight, "N m-3",
+         kilo ? "is less than any soil weighs: " + usual(15000, 25000, "N m-3")
+              : "looks like " + number_text(m.unit_weight) + " kN/m3: with units SI write " +
+                    number_text(1000 * m.unit_weight) + ", or set units to kPa");
+  if (m.unit_weight >= 1e6 && kilo)
+    warn("unit_weight", m.unit_weight, "N m-3",
+         "looks like " + number_text(m.unit_weight / 1000) + " N/m3: with units kPa write " +
+             number_text(m.unit_weight / 1e6) + ", or set units to SI");
   else if (m.unit_weight > 50000)
-    warn("unit_weight", m.unit_weight, " N/m3", "is more than any soil weighs: 15000 to 25000 is usual");
+    warn("unit_weight", m.unit_weight, "N m-3", "is more than any soil weighs: " + usual(15000, 25000, "N m-3"));
   check_friction_angle(m.friction_angle, "soil", report);
   if (m.cohesion > 1e7)
-    warn("cohesion", m.cohesion, " Pa",
-         "is that of concrete; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI");
-  if (m.cohesion >= 1 && m.cohesion < 200)
-    warn("cohesion", m.cohesion, " Pa",
-         "(" + number_text(m.cohesion / 1000) + " kPa) is next to nothing; if " + number_text(m.cohesion) +
-             " kPa are meant, write " + number_text(1000 * m.cohesion) + " Pa or set units to kPa");
+    warn("cohesion", m.cohesion, "Pa",
+         kilo ? "is that of concrete; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI"
+              : "is that of concrete");
+  if (m.cohesion >= 1 && m.cohesion < 200 && !kilo)
+    warn("cohesion", m.cohesion, "Pa",
+         "is next to nothing; if " + number_text(m.cohesion) + " kPa are meant, write " +
+             number_text(1000 * m.cohesion) + " Pa or set units to kPa");
   if (m.young_modulus > 0 && m.young_modulus < 1e4)
-    warn("young_modulus", m.young_modulus, " Pa", "is softer than any soil: 1e6 to 1e9 is usual; is it in kPa or MPa?");
+    warn("young_modulus", m.young_modulus, "Pa", "is softer than any soil: " + usual(1e6, 1e9, "Pa"));
 }
 
 void check_strength(const MaterialDef& m, Report& report) {
   if (m.law == "elastic") return;
   if (std::isnan(m.cohesion))
-    report.error(Status::kArgument,
-                 "cohesion is missing: law " + quoted(m.law) + " needs it (Pa, 0 is allowed with friction)");
+    report.error(Status::kArgument, "cohesion is missing: law " + quoted(m.law) + " needs it (" +
+                                        unit_text("Pa", report.units).substr(1) + ", 0 is allowed with friction)");
   if (m.dilatancy_angle > m.friction_angle)
     report.error(Status::kRange,
                  "dilatancy_angle = " + number_text(m.dilatancy_angle) +
                      " degrees: must not exceed friction_angle = " + number_text(m.friction_angle) + " degrees",
                  m.dilatancy_angle);
   if (m.cohesion_gradient > 0 && std::isnan(m.cohesion_datum))
-    report.error(Status::kArgument, "cohesion_gradient = " + number_text(m.cohesion_gradient) +
-                                        " Pa/m needs cohesion_datum, the elevation below which cohesion grows");
+    report.error(Status::kArgument,
+                 "cohesion_gradient = " + quantity_text(m.cohesion_gradient, "Pa m-1", report.units) +
+                     " needs cohesion_datum, the elevation below which cohesion grows");
   if (m.law == "undrained") {
     if (m.friction_angle > 0)
       report.error(Status::kRange,
@@ -197,16 +202,17 @@ void check_strength(const MaterialDef& m, Report& report) {
                        " degrees: law \"undrained\" has cohesion only; use law \"mohr_coulomb\" for soil with friction",
                    m.friction_angle);
   } else if (m.cohesion_gradient > 0) {
-    report.error(Status::kUnsupported, "cohesion_gradient = " + number_text(m.cohesion_gradient) +
-                                           " Pa/m: only law \"undrained\" has cohesion that grows with depth");
+    report.error(Status::kUnsupported,
+                 "cohesion_gradient = " + quantity_text(m.cohesion_gradient, "Pa m-1", report.units) +
+                     ": only law \"undrained\" has cohesion that grows with depth");
   }
   if (m.cohesion == 0 && m.friction_angle == 0 && !(m.cohesion_gradient > 0))
     report.error(Status::kRange, "cohesion = 0 and friction_angle = 0: soil without any strength cannot stand", 0);
   const double apex = m.cohesion / std::tan(radians(m.friction_angle));
   if (m.friction_angle > 0 && m.tension_cutoff > apex)
-    report.warn("tension_cutoff = " + number_text(m.tension_cutoff) +
-                    " Pa has no effect: the apex of the cone, cohesion / tan(friction_angle), is at " +
-                    number_text(apex) + " Pa",
+    report.warn("tension_cutoff = " + quantity_text(m.tension_cutoff, "Pa", report.units) +
+                    " has no effect: the apex of the cone, cohesion / tan(friction_angle), is at " +
+                    quantity_text(apex, "Pa", report.units),
                 m.tension_cutoff);
 }
 
@@ -395,7 +401,7 @@ void check_published(const SceneDef& scene, Report& report) {
 }  // namespace
 
 std::vector<Issue> validate(const SceneDef& scene) {
-  Report report;
+  Report report(scene.units);
   report.about(ObjectKind::kProfile, -1, "profile");
   check_corners(scene.exterior, "exterior", report);
   check_materials(scene, report);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/outline.h"
-#include "scene/wording.h"
+#include "scene/quantity.h"
 #include "simulation/ground_water.h"
 #include "simulation/outside.h"
 #include "simulation/surface_load.h"
@@ -29,8 +29,9 @@ void add_materials(const SceneDef& scene, FlowModel& m) {
     const bool springs = m.bond == FlowBondLaw::kPseudoSpring;
     if (springs && d.cohesion_gradient > 0)
       unsupported(ObjectKind::kMaterial, static_cast<std::int64_t>(m.law.size()),
-                  "material '" + d.name + "': cohesion_gradient = " + number_text(d.cohesion_gradient) +
-                      " Pa/m cannot be had with bond \"pseudo_spring\", whose springs have one strength; leave it out");
+                  "material '" + d.name +
+                      "': cohesion_gradient = " + quantity_text(d.cohesion_gradient, "Pa m-1", scene.units) +
+                      " cannot be had with bond \"pseudo_spring\", whose springs have one strength; leave it out");
     if (!std::isnan(d.tension_cutoff) && yields(law)) s.tension_cutoff = d.tension_cutoff;
     else if (yields(law) && !springs) s.tension_cutoff = 0;
     m.law.push_back(law);

@@ -94,8 +94,9 @@ void print_summary(const vbgpd_profile* profile, const vbgpd_model* model) {
 
 int run_check(const CheckOptions& options) {
   const Context context = create_context(1);
-  const Profile profile = read_scene(context.get(), options.scene).profile;
-  const std::vector<Issue> issues = validate(profile.get());
+  const Scene scene = read_scene(context.get(), options.scene);
+  const Profile& profile = scene.profile;
+  const std::vector<Issue> issues = validate(scene);
   if (has_error(issues)) throw BadInput(options.scene, issues);
   print_issues(issues, options.scene);
   const Model model = create_model(context.get(), profile.get(), options.scene);

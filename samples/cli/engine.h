@@ -56,6 +56,7 @@ Context create_context(int threads);
 struct Issue {
   bool error = false;
   std::string text;
+  std::size_t line = 0, column = 0;  ///< in the scene file, from 1; 0 = nowhere in particular
 };
 /// All of them, errors first.
 std::vector<Issue> validate(vbgpd_profile* profile);

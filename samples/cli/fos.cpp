@@ -41,7 +41,7 @@ void apply(const FosOptions& options, vbgpd_profile* profile) {
 Scene load(vbgpd_context* context, const FosOptions& options, std::vector<std::string>& warnings) {
   Scene scene = read_scene(context, options.scene);
   apply(options, scene.profile.get());
-  const std::vector<Issue> issues = validate(scene.profile.get());
+  const std::vector<Issue> issues = validate(scene);
   if (has_error(issues)) throw BadInput(options.scene, issues);
   print_issues(issues, options.scene);
   for (const Issue& issue : issues) warnings.push_back(issue.text);

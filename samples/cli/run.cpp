@@ -38,7 +38,7 @@ Scene load(vbgpd_context* context, const RunOptions& options, std::vector<std::s
   if (options.spacing &&
       vbgpd_profile_set_f64(profile, VBGPD_OBJECT_PROFILE, -1, "spacing", VBGPD_STRLEN, *options.spacing) < 0)
     throw BadInput("--spacing", errors_of(error_text(profile)));
-  const std::vector<Issue> issues = validate(profile);
+  const std::vector<Issue> issues = validate(scene);
   if (has_error(issues)) throw BadInput(options.scene, issues);
   print_issues(issues, options.scene);
   for (const Issue& issue : issues) warnings.push_back(issue.text);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "bad_input.h"
 #include "exchange/scene_text.h"
@@ -48,23 +49,70 @@ std::vector<std::string> boundary_kinds(const std::string& text) {
   return kinds;
 }
 
+Profile profile_of(vbgpd_context* context, const std::vector<std::uint8_t>& bytes, const std::string& file) {
+  vbgpd_profile* profile = nullptr;
+  const auto size = static_cast<std::int64_t>(bytes.size());
+  if (vbgpd_profile_create_from_flatbuffer(context, bytes.data(), size, &profile) < 0)
+    throw BadInput(file, errors_of(error_text(context)));
+  return Profile(profile);
+}
+
+std::vector<Issue> with_positions(std::vector<Issue> issues, const std::string& text) {
+  for (Issue& issue : issues) {
+    const vbgpd::TextPosition at = vbgpd::issue_position(issue.text, text);
+    issue.line = at.line, issue.column = at.column;
+  }
+  return issues;
+}
+
+/// Errors first, then in the order of the file.
+std::vector<Issue> in_order(std::vector<Issue> issues) {
+  std::stable_sort(issues.begin(), issues.end(), [](const Issue& a, const Issue& b) {
+    return a.error != b.error ? a.error : std::tie(a.line, a.column) < std::tie(b.line, b.column);
+  });
+  return issues;
+}
+
+/// The faults of a text, and the errors of what is left of the scene without them, as far as they are not only there
+/// because something is missing.
+std::vector<Issue> all_errors(vbgpd_context* context, const vbgpd::SceneText& scene, const std::string& text,
+                              const std::string& file) {
+  std::vector<Issue> errors;
+  for (const vbgpd::SceneFault& fault : scene.faults)
+    errors.push_back({true, fault.text, fault.position.line, fault.position.column});
+  if (scene.bytes.empty()) return errors;
+  std::vector<Issue> others;
+  try {
+    others = with_positions(validate(profile_of(context, scene.bytes, file).get()), text);
+  } catch (const BadInput& unreadable) {
+    others = unreadable.issues();
+  }
+  for (Issue& issue : others) {
+    const auto explains = [&](const vbgpd::SceneFault& fault) { return vbgpd::may_follow_from(issue.text, fault); };
+    if (issue.error && std::none_of(scene.faults.begin(), scene.faults.end(), explains))
+      errors.push_back(std::move(issue));
+  }
+  return in_order(std::move(errors));
+}
+
 }  // namespace
 
 Scene read_scene(vbgpd_context* context, const std::string& file) {
-  const std::string text = read_text_file(file);
-  std::vector<std::uint8_t> bytes;
+  std::string text = read_text_file(file);
+  vbgpd::SceneText scene;
   try {
-    bytes = vbgpd::scene_text_to_flatbuffer(text, file);
+    scene = vbgpd::read_scene_text(text, file);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& fault) {
     throw BadInput(file, errors_of(fault.what()));
   }
-  vbgpd_profile* profile = nullptr;
-  const auto size = static_cast<std::int64_t>(bytes.size());
-  if (vbgpd_profile_create_from_flatbuffer(context, bytes.data(), size, &profile) < 0)
-    throw BadInput(file, errors_of(error_text(context)));
-  return {Profile(profile), boundary_kinds(text)};
+  if (!scene.faults.empty()) throw BadInput(file, all_errors(context, scene, text, file));
+  return {profile_of(context, scene.bytes, file), boundary_kinds(text), std::move(text)};
+}
+
+std::vector<Issue> validate(const Scene& scene) {
+  return in_order(with_positions(validate(scene.profile.get()), scene.text));
 }
 
 Model create_model(vbgpd_context* context, const vbgpd_profile* profile, const std::string& file) {
@@ -88,7 +136,8 @@ std::vector<std::string> lines(const std::vector<Issue>& issues, const std::stri
   for (const Issue& issue : issues) {
     const bool names_file =
         issue.text.compare(0, file.size(), file) == 0;  // the parser's messages begin with file:line:column
-    result.push_back(names_file ? issue.text : file + (issue.error ? ": error: " : ": warning: ") + issue.text);
+    const std::string place = file + (issue.line == 0 ? "" : format(":%zu:%zu", issue.line, issue.column));
+    result.push_back(names_file ? issue.text : place + (issue.error ? ": error: " : ": warning: ") + issue.text);
   }
   return result;
 }

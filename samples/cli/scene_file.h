@@ -12,10 +12,15 @@ struct Scene {
   Profile profile;
   std::vector<std::string>
       boundary_kinds;  ///< "fixed", "roller" ... by boundary id; the engine does not tell them back
+  std::string text;    ///< of the file
 };
 
-/// Reads a scene file. Throws BadInput: no such file, not readable, not text, not JSON, not a scene.
+/// Reads a scene file. Throws BadInput with all that is wrong: no such file, not readable, not text, not JSON, not a
+/// scene; where the text has faults, also what the engine has to say about the rest of the scene.
 Scene read_scene(vbgpd_context* context, const std::string& file);
+
+/// What the engine has to say about a scene, with the places in its file.
+std::vector<Issue> validate(const Scene& scene);
 
 /// Particles and bonds of a profile. Throws BadInput when the scene cannot be discretised.
 Model create_model(vbgpd_context* context, const vbgpd_profile* profile, const std::string& file);
@@ -23,7 +28,7 @@ Model create_model(vbgpd_context* context, const vbgpd_profile* profile, const s
 /// The engine lists several faults in one text, a line each.
 std::vector<Issue> errors_of(const std::string& text);
 
-/// Issues as lines for a person, each naming the file: "slope.json: error: material 'clay' ...".
+/// Issues as lines for a person, each naming the file: "slope.json:6:14: error: material 'clay' ...".
 std::vector<std::string> lines(const std::vector<Issue>& issues, const std::string& file);
 
 /// The lines on stderr.

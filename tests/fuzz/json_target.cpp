@@ -5,8 +5,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const auto bytes = vbgpd::scene_text_to_flatbuffer({reinterpret_cast<const char*>(data), size}, "fuzz");
-    vbgpd::scene_from_flatbuffer(bytes);
+    const std::string_view text{reinterpret_cast<const char*>(data), size};
+    const auto scene = vbgpd::read_scene_text(text, "fuzz");
+    for (const auto& fault : scene.faults) vbgpd::issue_position("scene: " + fault.path, text);
+    if (!scene.bytes.empty()) vbgpd::scene_from_flatbuffer(scene.bytes);
   } catch (const vbgpd::Error&) {
   }
   return 0;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "exchange/scene_buffer.h"
+#include "scene/validate.h"
 #include "scene_fixture.h"
 
 namespace vbgpd {
@@ -163,6 +164,95 @@ TEST(SceneText, HasNoWayToReadOtherFilesOrChangeTheSchema) {
   EXPECT_NE(refusal("include \"vbgpd.fbs\";\n" + scene_text()), "");
   EXPECT_NE(refusal("table Extra { x:int; }\n" + scene_text()), "");
   EXPECT_NE(refusal(scene_text() + "root_type Point;"), "");
+}
+
+std::string read_without_faults(const std::string& text, SceneDef& scene) {
+  const SceneText read = read_scene_text(text, "a.json");
+  std::string paths;
+  for (const SceneFault& fault : read.faults) paths += fault.path + " ";
+  if (read.bytes.empty()) return paths + "nothing";
+  scene = scene_from_flatbuffer(read.bytes);
+  return paths;
+}
+
+TEST(SceneText, KeepsWhatIsNotAtFault) {
+  SceneDef scene;
+  const std::string text =
+      scene_text(R"("gravty": [{"x": 1}, "}"], "gravity": "much", "seismic": {"kh": NaN, "kv": 0.1},
+    "boundaries": [{"side": "left", "kind": "fxed"}, {"side": "base"}, {}, 7, {"sde": "right", "kind": "roller"}],
+    "loads": [{"x0": 1, "x1": 2, "pressure": 3, "x1": 4}], "water": [], )");
+  EXPECT_EQ(read_without_faults(text, scene),
+            "gravity gravity seismic.kh boundaries[0].kind boundaries[1].kind boundaries[2].kind boundaries[3] "
+            "boundaries[4].side loads[0].x1 water ");
+  EXPECT_EQ(scene.kv, 0.1);
+  EXPECT_EQ(scene.gravity, SceneDef().gravity);
+  ASSERT_EQ(scene.boundaries.size(), 5u);
+  EXPECT_EQ(scene.boundaries[0].side, "left");
+  EXPECT_EQ(scene.boundaries[1].side, "base");
+  EXPECT_EQ(scene.boundaries[4].kind, BoundaryKind::kRoller);
+  EXPECT_EQ(scene.loads.at(0).x1, 2);
+  EXPECT_EQ(scene.materials.at(0).cohesion, 10000);
+  EXPECT_EQ(scene.spacing, 0.5);
+}
+
+TEST(SceneText, KeepsNothingWhereTheUnitsAreInDoubt) {
+  SceneDef scene;
+  std::string text = scene_text();
+  text.replace(text.find("kPa"), 3, "kpa");
+  EXPECT_EQ(read_without_faults(text, scene), "units nothing");
+}
+
+TEST(SceneText, KnowsWhereAnIssueIs) {
+  const std::string text = scene_text(R"("seismic": {"kv": 0, "kh": 7}, "numerics": {"jitter": 8},
+    "strength_reduction": {"tolerance": 9}, "water": {"table": [{"x": 0, "y": 0}, {"y": 0, "x": 99}]}, )");
+  const auto there = [&](const char* issue) {
+    const TextPosition at = issue_position(issue, text);
+    std::size_t line = 0;
+    for (std::size_t n = 1; n < at.line; ++n) line = text.find('\n', line) + 1;
+    return text.substr(line + at.column - 1, 7);
+  };
+  EXPECT_EQ(there("materials[0] 'soil': cohesion = 10 Pa: must be"), "10, \"fr");
+  EXPECT_EQ(there("materials[0] 'a: b': friction_angle = 20 degrees"), "20}],\n ");
+  EXPECT_EQ(there("materials[0] 'soil': cohesion_gradient = 2"), "{\"name\"");  // not written: the soil
+  EXPECT_EQ(there("layers[0] 'soil': material \"soil\" is"), "\"soil\"}");
+  EXPECT_EQ(there("profile.exterior: edges 1 and 2 cross"), "{\"y\": 0");
+  EXPECT_EQ(there("profile: exterior[2].y = inf"), "10}, {\"");
+  EXPECT_EQ(there("scene: spacing = 0.5 m"), "0.5\n}");
+  EXPECT_EQ(there("scene: kh = 7: must"), "7}, \"nu");
+  EXPECT_EQ(there("scene: jitter = 8: must"), "8},\n   ");
+  EXPECT_EQ(there("scene: srf_tolerance = 9: must"), "9}, \"wa");
+  EXPECT_EQ(there("water: table[1]: x = 99 m: must"), "{\"y\": 0");
+  EXPECT_EQ(there("loads[0]: x0 = 8 m"), "{\n  \"na");  // there is no such load: the scene
+}
+
+TEST(SceneText, EveryNumberAtFaultExplainsWhatIsThenWrongWithTheScene) {
+  const std::string text = scene_text(
+      R"("loads": [{"x0": 0, "x1": 6, "pressure": 20}], "water": {"table": [{"x": -1, "y": 2}, {"x": 40, "y": 2}]}, )");
+  for (std::size_t at = 0; (at = text.find(": ", at)) != text.npos; ++at) {
+    const std::size_t begin = at + 2, end = text.find_first_of(",}\n", begin);
+    if (std::string("-0123456789").find(text[begin]) == std::string::npos) continue;
+    std::string bad = text;
+    bad.replace(begin, end - begin, "\"?\"");
+    const SceneText read = read_scene_text(bad, "a.json");
+    ASSERT_EQ(read.faults.size(), 1u) << bad;
+    for (const Issue& issue : validate(scene_from_flatbuffer(read.bytes)))
+      EXPECT_TRUE(may_follow_from(issue.text, read.faults[0])) << issue.text << ", " << read.faults[0].text;
+  }
+}
+
+TEST(SceneText, AFaultExplainsNothingElsewhere) {
+  const SceneFault weight{{}, "materials[0].unit_weight", ""}, name{{}, "materials[0].name", ""},
+      kv{{}, "seismic.kv", ""}, profile{{}, "profile.exterior[1].x", ""}, layers{{}, "layers", ""};
+  EXPECT_TRUE(may_follow_from("materials[0] 'clay': cohesion is missing", weight));
+  EXPECT_FALSE(may_follow_from("materials[1] 'sand': cohesion is missing", weight));
+  EXPECT_FALSE(may_follow_from("layers[0] 'sand': material \"sand\" is not known", weight));
+  EXPECT_TRUE(may_follow_from("layers[0] 'sand': material \"sand\" is not known", name));
+  EXPECT_FALSE(may_follow_from("layers[0] 'sand': polygon has 2 vertices", name));
+  EXPECT_TRUE(may_follow_from("layers[0] 'sand': polygon has 2 vertices", profile));
+  EXPECT_FALSE(may_follow_from("materials[0] 'clay': cohesion is missing", profile));
+  EXPECT_TRUE(may_follow_from("layers: the list is empty", layers));
+  EXPECT_FALSE(may_follow_from("scene: kh = 2: must be in (-1, 1)", kv));
+  EXPECT_FALSE(may_follow_from("scene: spacing = 0 m: must be > 0", weight));
 }
 
 TEST(SceneText, SurvivesEveryCutAndEveryChangedByte) {

@@ -254,8 +254,9 @@ TEST(Validate, NamesTheLikelySlipOfUnits) {
       "materials[0] 'clay': unit_weight = 20 N/m3 looks like 20 kN/m3: with units SI write 20000, or set units to kPa",
       [](SceneDef& s) { s.materials[0].unit_weight = 20; });
   expect_warning(
-      "materials[0] 'clay': unit_weight = 2e+07 N/m3 looks like 20000 N/m3 written with units kPa: set units to SI",
-      [](SceneDef& s) { s.materials[0].unit_weight = 2e7; });
+      "materials[0] 'clay': unit_weight = 20000 kN/m3 looks like 20000 N/m3: with units kPa write 20, or set units to "
+      "SI",
+      [](SceneDef& s) { s.materials[0].unit_weight = 2e7, s.units = Units::kKilopascal; });
   expect_warning("materials[0] 'clay': unit_weight = 60000 N/m3 is more than any soil weighs: 15000 to 25000 is usual",
                  [](SceneDef& s) { s.materials[0].unit_weight = 60000; });
   expect_warning("materials[0] 'clay': friction_angle = 0.35 degrees looks like radians: 0.35 rad is 20.0535 degrees",
@@ -263,14 +264,36 @@ TEST(Validate, NamesTheLikelySlipOfUnits) {
   expect_warning("materials[0] 'clay': friction_angle = 65 degrees is more than any soil has: 15 to 45 is usual",
                  [](SceneDef& s) { s.materials[0].friction_angle = 65; });
   expect_warning(
-      "materials[0] 'clay': cohesion = 10 Pa (0.01 kPa) is next to nothing; if 10 kPa are meant, write 10000 Pa or set "
+      "materials[0] 'clay': cohesion = 10 Pa is next to nothing; if 10 kPa are meant, write 10000 Pa or set "
       "units to kPa",
       [](SceneDef& s) { s.materials[0].cohesion = 10; });
-  expect_warning("materials[0] 'clay': cohesion = 2e+07 Pa is that of concrete; if 20000 Pa is meant, set units to SI",
+  expect_warning("materials[0] 'clay': cohesion = 20000 kPa is that of concrete; if 20000 Pa is meant, set units to SI",
+                 [](SceneDef& s) { s.materials[0].cohesion = 2e7, s.units = Units::kKilopascal; });
+  expect_warning("materials[0] 'clay': cohesion = 2e+07 Pa is that of concrete",
                  [](SceneDef& s) { s.materials[0].cohesion = 2e7; });
-  expect_warning(
-      "materials[0] 'clay': young_modulus = 100 Pa is softer than any soil: 1e6 to 1e9 is usual; is it in kPa or MPa?",
-      [](SceneDef& s) { s.materials[0].young_modulus = 100; });
+  expect_warning("materials[0] 'clay': young_modulus = 100 Pa is softer than any soil: 1e+06 to 1e+09 is usual",
+                 [](SceneDef& s) { s.materials[0].young_modulus = 100; });
+}
+
+TEST(Validate, SpeaksTheUnitsOfTheScene) {
+  const auto texts = [](Units units) {
+    const auto issues = issues_after([&](SceneDef& s) {
+      s.units = units;
+      s.materials[0].cohesion = -1000, s.materials[0].unit_weight = -2000;
+      s.materials[0].cohesion_gradient = 3000;
+      s.spacing = -2;
+    });
+    std::string all;
+    for (const Issue& issue : issues) all += issue.text + "\n";
+    return all;
+  };
+  const std::string si = texts(Units::kSI), kilo = texts(Units::kKilopascal);
+  for (const char* said : {"unit_weight = -2000 N/m3: must", "cohesion = -1000 Pa: must",
+                           "cohesion_gradient = 3000 Pa/m needs", "spacing = -2 m: must"})
+    EXPECT_NE(si.find(said), std::string::npos) << said << " in " << si;
+  for (const char* said : {"unit_weight = -2 kN/m3: must", "cohesion = -1 kPa: must",
+                           "cohesion_gradient = 3 kPa/m needs", "spacing = -2 m: must"})
+    EXPECT_NE(kilo.find(said), std::string::npos) << said << " in " << kilo;
 }
 
 TEST(Validate, TakesWeightlessSoilAsMeant) {

@@ -111,13 +111,13 @@ class Check(ProgramTest):
     def test_warnings_are_said_and_do_not_forbid(self):
         material = dict(SLOPE["materials"][0], friction_angle=0.35)  # radians by mistake
         done = self.run_program("check", self.scene_file(materials=[material]))
-        self.assertRegex(done.stderr, r"slope\.json: warning: .*friction_angle.*0\.35")
+        self.assertRegex(done.stderr, r"slope\.json:\d+:\d+: warning: .*friction_angle.*0\.35")
         self.assert_words(done.stdout, "the scene is sound, 1 warning")
 
     def test_errors_come_before_warnings_one_per_line(self):
         materials = [dict(SLOPE["materials"][0], friction_angle=0.35), dict(SLOPE["materials"][0], name="other", cohesion=-1)]
         lines = self.refused("check", self.scene_file(materials=materials, spacing=-2)).splitlines()
-        kinds = [re.match(r".*slope\.json: (error|warning): ", line)[1] for line in lines]
+        kinds = [re.match(r".*slope\.json:\d+:\d+: (error|warning): ", line)[1] for line in lines]
         self.assertEqual(kinds, sorted(kinds))
         self.assertGreaterEqual(kinds.count("error"), 2)
         self.assertGreaterEqual(kinds.count("warning"), 1)
@@ -169,6 +169,17 @@ class BadScenes(ProgramTest):
     def test_syntax_errors_say_line_and_column(self):
         said = self.refused("check", BAD_SCENES / "trailing_comma.json")
         self.assertRegex(said, r"trailing_comma\.json:\d+:\d+: ")
+
+    def test_faults_of_every_kind_are_told_at_once_in_the_order_of_the_file(self):
+        said = self.refused("check", BAD_SCENES / "faults_of_every_kind.json").splitlines()
+        told = [re.match(r".*\.json:(\d+):(\d+): error: (.*)", line).groups() for line in said]
+        places = [(int(line), int(column)) for line, column, _ in told]
+        self.assertEqual(places, sorted(places))
+        starts = ["materials[0].unit_weight: expected a number", "materials[1] 'sand': law", "materials[1] 'sand': cohesion = -1 kPa",
+                  "materials[1] 'sand': friction_angle = 95", "layers[1] 'sandd': material \"sandd\" is not known",
+                  "layers[1] 'sandd': polygon has 2 vertices", "boundaries[0].kind \"fxed\" is not known", "scene: spacing = -0.5 m",
+                  "unknown field \"watr\""]
+        self.assertEqual([text[:len(start)] for (_, _, text), start in zip(told, starts, strict=True)], starts)
 
     def test_json_output_of_a_bad_scene_is_one_object_that_lists_the_errors(self):
         done = self.run_program("fos", BAD_SCENES / "several_problems.json", "--json", exit_code=2)
