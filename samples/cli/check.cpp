@@ -63,7 +63,42 @@ std::string joined(const std::vector<std::string>& words) {
   return all.empty() ? "nothing" : all;
 }
 
-void print_summary(const vbgpd_profile* profile, const vbgpd_model* model) {
+/// "20 to 30 kPa from x = 2 to 8 m"
+std::string load_text(const vbgpd_profile* profile, std::int64_t load) {
+  const auto value = [&](const char* name) { return number(profile, VBGPD_OBJECT_LOAD, load, name); };
+  const double begin = value("pressure") / 1000, end = value("pressure_end") / 1000;
+  return plain_number(begin, 4) + (begin == end ? "" : " to " + plain_number(end, 4)) +
+         " kPa from x = " + plain_number(value("x0"), 5) + " to " + plain_number(value("x1"), 5) + " m";
+}
+
+/// "base fixed, friction 24 degrees in a run-out"
+std::string boundary_text(const Scene& scene, std::int64_t boundary) {
+  const vbgpd_profile* profile = scene.profile.get();
+  const auto value = [&](const char* name) { return number(profile, VBGPD_OBJECT_BOUNDARY, boundary, name); };
+  const auto word = [&](const char* name) { return text(profile, VBGPD_OBJECT_BOUNDARY, boundary, name); };
+  const std::string side = word("side"), name = word("name");
+  const std::string kind = scene.boundary_kinds.at(static_cast<std::size_t>(boundary));
+  std::string line = (side.empty() ? "line" + (name.empty() ? "" : " '" + name + "'") : side) + " " + kind;
+  if (kind == "velocity") line += " (" + plain_number(value("vx"), 4) + ", " + plain_number(value("vy"), 4) + ") m/s";
+  const double friction = value("friction_angle");
+  if (std::isfinite(friction)) line += ", friction " + plain_number(friction, 4) + " degrees in a run-out";
+  return line;
+}
+
+/// What drives and what holds the soil.
+template <class Say>
+void print_actions(const Scene& scene, const Say& say) {
+  const vbgpd_profile* profile = scene.profile.get();
+  for (std::int64_t i = 0; i < count(profile, VBGPD_OBJECT_LOAD); ++i) say("load", load_text(profile, i));
+  const double kh = number(profile, VBGPD_OBJECT_PROFILE, 0, "kh"), kv = number(profile, VBGPD_OBJECT_PROFILE, 0, "kv");
+  if (kh != 0 || kv != 0) say("seismic", "kh " + plain_number(kh, 4) + ", kv " + plain_number(kv, 4));
+  const std::int64_t boundaries = count(profile, VBGPD_OBJECT_BOUNDARY);
+  if (boundaries == 0) say("boundary", "base fixed, left and right roller (the scene gives none)");
+  for (std::int64_t i = 0; i < boundaries; ++i) say("boundary", boundary_text(scene, i));
+}
+
+void print_summary(const Scene& scene, const vbgpd_model* model) {
+  const vbgpd_profile* profile = scene.profile.get();
   const auto say = [](const char* name, const std::string& what) { std::printf("  %-10s %s\n", name, what.c_str()); };
   if (const std::string name = text(profile, VBGPD_OBJECT_PROFILE, 0, "name"); !name.empty()) say("name", name);
   say("section", "area " + plain_number(number(model, "area")) + " m2, slope height " +
@@ -83,6 +118,7 @@ void print_summary(const vbgpd_profile* profile, const vbgpd_model* model) {
     say("water", "table of " + counted(static_cast<std::int64_t>(table.size()), "point") + ", elevation " +
                      plain_number(low->y, 5) + " to " + plain_number(high->y, 5) + " m");
   }
+  print_actions(scene, say);
   const std::vector<vbgpd_feature> features = plan(model);
   say("uses", joined(names(features, true)));
   say("left out", joined(names(features, false)));
@@ -95,15 +131,14 @@ void print_summary(const vbgpd_profile* profile, const vbgpd_model* model) {
 int run_check(const CheckOptions& options) {
   const Context context = create_context(1);
   const Scene scene = read_scene(context.get(), options.scene);
-  const Profile& profile = scene.profile;
   const std::vector<Issue> issues = validate(scene);
   if (has_error(issues)) throw BadInput(options.scene, issues);
   print_issues(issues, options.scene);
-  const Model model = create_model(context.get(), profile.get(), options.scene);
+  const Model model = create_model(context.get(), scene.profile.get(), options.scene);
   const std::string warnings =
       issues.empty() ? "" : ", " + counted(static_cast<std::int64_t>(issues.size()), "warning");
   std::printf("%s: the scene is sound%s\n", options.scene.c_str(), warnings.c_str());
-  print_summary(profile.get(), model.get());
+  print_summary(scene, model.get());
   return kDone;
 }
 

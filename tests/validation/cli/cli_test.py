@@ -108,6 +108,13 @@ class Check(ProgramTest):
         self.assert_words(used, "dilatancy", "tension cut-off", "seismic coefficients", "surface loads")
         self.assertNotIn("virtual bonds", used)
 
+    def test_what_drives_and_holds_the_soil_is_said(self):
+        scene = self.scene_file(seismic={"kh": 0.1}, loads=[{"x0": 2, "x1": 8, "pressure": 20, "pressure_end": 30}],
+                                boundaries=[{"side": "base", "kind": "fixed", "friction_angle": 24}, {"side": "left", "kind": "roller"}])
+        self.assert_words(self.run_program("check", scene).stdout, "load       20 to 30 kPa from x = 2 to 8 m", "seismic    kh 0.1, kv 0",
+                          "boundary   base fixed, friction 24 degrees in a run-out", "boundary   left roller")
+        self.assert_words(self.run_program("check", self.scene_file()).stdout, "boundary   base fixed, left and right roller")
+
     def test_warnings_are_said_and_do_not_forbid(self):
         material = dict(SLOPE["materials"][0], friction_angle=0.35)  # radians by mistake
         done = self.run_program("check", self.scene_file(materials=[material]))
