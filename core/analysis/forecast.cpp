@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "analysis/stiffness_contrast.h"
 #include "analysis/trial.h"
 
 namespace vbgpd {
@@ -34,15 +35,24 @@ double measured_step(Simulation& simulation) {
   return best;
 }
 
+double feature_bytes(const Simulation& simulation, std::string_view name) {
+  for (const Feature& f : simulation.plan())
+    if (f.name == name) return static_cast<double>(f.particle_bytes + f.bond_bytes);
+  return 0;
+}
+
 double state_bytes(const Simulation& simulation) {
   const double n = static_cast<double>(simulation.particle_count());
-  double bytes = 4 * sizeof(double) * n;  // displacement and velocity
-  for (const Feature& f : simulation.plan()) {
-    const std::string_view name = f.name;
-    if (name == "plasticity" || name == "volumetric plasticity")
-      bytes += static_cast<double>(f.particle_bytes + f.bond_bytes);
-  }
-  return bytes;
+  return 4 * sizeof(double) * n +  // displacement and velocity
+         feature_bytes(simulation, "plasticity") + feature_bytes(simulation, "volumetric plasticity");
+}
+
+/// Soils too far apart in stiffness are searched in a second simulation, what failed there is then taken over.
+double twin_bytes(const Simulation& simulation) {
+  if (stiffness_contrast(simulation).ratio <= kStiffnessContrast) return 0;
+  constexpr double kCopies =
+      3;  // of the strain taken over: the state, that of the monitors and that of the energy audit
+  return simulation.get("bytes") + kCopies * feature_bytes(simulation, "plasticity");
 }
 
 }  // namespace
@@ -54,7 +64,7 @@ Forecast forecast_strength_reduction(Simulation& simulation) {
   f.steps = kStepsPerRoot * std::sqrt(static_cast<double>(simulation.particle_count()));
   f.seconds = f.steps * f.step_seconds;
   constexpr double kSaved = 4, kCoarse = 0.25;
-  f.bytes = simulation.get("bytes") * (1 + kCoarse) + kSaved * state_bytes(simulation);
+  f.bytes = simulation.get("bytes") * (1 + kCoarse) + kSaved * state_bytes(simulation) + twin_bytes(simulation);
   return f;
 }
 

@@ -9,7 +9,8 @@ struct Forecast {
   double step_seconds = 0;  ///< wall seconds of one relaxation step, measured here and now
   double steps = 0;         ///< an estimate: steps of a strength reduction on this grid alone
   double seconds = 0;       ///< steps x step_seconds
-  double bytes = 0;         ///< memory while it runs: the simulation, four saved states, the grid twice as coarse
+  double bytes = 0;  ///< memory while it runs: the simulation, four saved states, the grid twice as coarse, and a twin
+                     ///< where stiffnesses are evened
 };
 
 /// Runs a few relaxation steps to measure (a few hundredths of a second) and puts the state back, to the last bit,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <new>
 
+#include "analysis/stiffness_contrast.h"
 #include "scene/wording.h"
 
 namespace vbgpd {
@@ -19,7 +20,8 @@ constexpr JobOption kOptions[] = {
     {"budget", "s", "wall time within which grids are begun and ended; 0 = no limit", 0, 0, 1e9},
     {"careful", "1", "0 fast search, then verification; 1 plain bisection from the gravity state", 0, 0, 1},
     {"stiffness_contrast", "1",
-     "strength reduction: soils count as at most this many times as stiff as the softest one", 3, 1, 1e12},
+     "strength reduction: soils count as at most this many times as stiff as the softest one", kStiffnessContrast, 1,
+     1e12},
     {"end_time", "s", "run-out: simulated time to stop at; 0 = at rest", 0, 0, 1e9},
     {"step_limit", "1", "steps after which a trial is undecided; 0 = 30 response times", 0, 0, 1e12},
 };

@@ -19,19 +19,20 @@ Real LatticeSimulation::kinetic_energy() const {
 
 Real LatticeSimulation::stored_energy() const { return kinetic_energy() + elastic_energy() + half_step_work(); }
 
-void LatticeSimulation::begin_audit() {
+void LatticeSimulation::begin_audit(Real share) {
   // moved walls do work that the ledger does not book
   for (const GuidedParticle& g : model_.guided)
     if (g.prescribed != 0) return;
   audit_.state = state_, audit_.ledger = ledger_, audit_.time = time_, audit_.steps = steps_;
   audit_.stored = stored_energy();
-  audit_.valid = true;
+  audit_.share = share, audit_.valid = true;
 }
 
 Real LatticeSimulation::audit() {
   constexpr std::int64_t kEvery = 512;
   constexpr Real kTolerated = 0.05, kNoise = 1e-3;
-  if (!audit_.valid || steps_ - audit_.steps < kEvery) return 0;
+  if (!audit_.valid) return 0;
+  if (steps_ - audit_.steps < kEvery) return audit_.share;
   const Real gained = stored_energy() - audit_.stored, booked = ledger_.booked() - audit_.ledger.booked();
   // energies this small against the elastic energy of the section's own weight are noise
   const Real least = kNoise * model_.stress_scale * model_.stress_scale / model_.stiffness * section_.area;
@@ -40,7 +41,7 @@ Real LatticeSimulation::audit() {
                 ledger_.plastic - audit_.ledger.plastic, ledger_.damping - audit_.ledger.damping});
   const Real share = std::fabs(gained - booked) / (kTolerated * scale);
   if (share <= 1) {
-    begin_audit();
+    begin_audit(share);
     return share;
   }
   state_ = audit_.state, ledger_ = audit_.ledger, time_ = audit_.time, steps_ = audit_.steps;

@@ -69,6 +69,7 @@ class LatticeSimulation final : public Simulation {
     State state;
     Ledger ledger;
     Real stored = 0, time = 0;
+    Real share = 0;  ///< what the audit before found
     std::int64_t steps = 0;
   };
   struct Saved;
@@ -113,9 +114,9 @@ class LatticeSimulation final : public Simulation {
   Real kinetic_energy() const;
   /// Kinetic and elastic energy at the time of the displacements.
   Real stored_energy() const;
-  void begin_audit();
+  void begin_audit(Real share = 0);
   /// Energy that has come out of nothing since the audit before, as a share of what is tolerated; above 1 the state is
-  /// that of the audit before. Every so many steps, 0 between.
+  /// that of the audit before. Every so many steps; between them what the last one found.
   Real audit();
   /// Work of the internal forces over the half step by which velocities lag behind displacements (leap-frog).
   Real half_step_work() const;

@@ -133,6 +133,15 @@ TEST(EnergyBalance, ClosesThroughPlasticFailure) {
   EXPECT_LE(s->get("energy_residual"), 1e-2);
 }
 
+TEST(EnergyAudit, WhatItFoundIsReportedByEveryStepUntilTheNextOne) {
+  const SceneDef scene = test::slope(test::soil("drucker_prager", 2e3, 15), 1.0);
+  LatticeSimulation s(scene, {}, best_kernels());
+  const Real found = s.step(512, nullptr).energy_share;
+  ASSERT_GT(found, 0);
+  for (int n = 1; n < 512; ++n) ASSERT_EQ(s.step(1, nullptr).energy_share, found) << n;
+  EXPECT_NE(s.step(1, nullptr).energy_share, found);
+}
+
 /// Largest departure of the vertical stress from -gamma (H - y) over gamma H, rows from `first` to the one `first`
 /// below the top.
 Real column_noise(const char* bond, int first) {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "analysis/forecast.h"
 #include "analysis/job.h"
+#include "analysis/stiffness_contrast.h"
 #include "physics/scenes.h"
 #include "simulation/flow_simulation.h"
 #include "simulation/simulation.h"
@@ -68,6 +70,19 @@ TEST(TwoStiffnesses, FactorOfSafetyHardlyKnowsThem) {
     put_on_rock(s, 30, 32, 2);
     EXPECT_NEAR(factor_of_safety(s, kAsTheyAre) / alike, 1, 0.02) << dilatancy;
   }
+}
+
+TEST(TwoStiffnesses, FarApartNeedTheMemoryThatIsForecast) {
+  SceneDef s = test::slope(test::soil("mohr_coulomb", 10e3, 20), 0.5);
+  const double plain = forecast_strength_reduction(*Simulation::compile(s, {})).bytes;
+  put_on_rock(s, 100, 32, 2);
+  const auto simulation = Simulation::compile(s, {});
+  const double twin = simulation->get("bytes"), forecast = forecast_strength_reduction(*simulation).bytes;
+  EXPECT_GT(forecast, plain + twin);
+  search(*simulation, kStiffnessContrast);
+  simulation->monitors(), simulation->step(1, nullptr);  // all copies of the state are there now
+  EXPECT_GT(simulation->get("bytes"), 1.5 * twin);
+  EXPECT_GT(forecast, simulation->get("bytes") + twin);
 }
 
 TEST(TwoStiffnesses, FarApartAreSearchedAsIfTheyLayCloseTogether) {
