@@ -26,7 +26,7 @@ class Array {
   /// A copy comes from the heap of what it is a copy of, unless its size was right already.
   Array& operator=(const Array& other) {
     if (this == &other) return *this;
-    if (size_ != other.size_) allocate(other.size_, other.stagger_, other.heap_);
+    if (size_ != other.size_) allocate_for_overwrite(other.size_, other.stagger_, other.heap_);
     if (size_ != 0) std::memcpy(data(), other.data(), size_ * sizeof(double));
     return *this;
   }
@@ -34,13 +34,17 @@ class Array {
 
   /// n zeros; `stagger` is the array's number in the list of arrays. Absent when memory runs out.
   void allocate(std::size_t n, int stagger, const Heap& heap = {}) {
+    allocate_for_overwrite(n, stagger, heap);
+    fill_zero();
+  }
+  /// n values that are yet to be written.
+  void allocate_for_overwrite(std::size_t n, int stagger, const Heap& heap = {}) {
     release();
     stagger_ = stagger;
     if (n == 0) return;
     const std::size_t shift = 64 * static_cast<std::size_t>(5 * (stagger % 13));
     const std::size_t bytes = n * sizeof(double) + shift;
     storage_ = static_cast<std::byte*>(heap.take(bytes, kAlignment));
-    std::memset(storage_, 0, bytes);
     heap_ = heap, bytes_ = bytes, shift_ = shift, size_ = n;
   }
   bool present() const { return size_ != 0; }

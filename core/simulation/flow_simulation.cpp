@@ -114,20 +114,24 @@ void FlowSimulation::arrange(const FlowLists& lists, FlowScratch& scratch) const
   const auto n = static_cast<std::size_t>(model_.particles), all = n + lists.ghosts.size() + 1;
   const bool diffuses = kernels_.step[static_cast<int>(model_.bond)][1] != nullptr;
   int stagger = 3;
+  // with room for more, so that not every search asks for memory
+  const auto fit = [&](Array& a, std::size_t needed) {
+    if (a.size() < needed) a.allocate(needed + needed / 8, stagger, model_.heap);
+    ++stagger;
+  };
   for (Array* a : {&scratch.motion, &scratch.next_motion, &scratch.gradient, &scratch.bond, &scratch.inverse,
                    &scratch.flux, &scratch.slope_x, &scratch.slope_y}) {
     const bool slope = a == &scratch.slope_x || a == &scratch.slope_y;
     if (slope && !diffuses) continue;
-    if (a->size() != 4 * all) a->allocate(4 * all, stagger++, model_.heap);
+    fit(*a, 4 * all);
   }
   if (model_.bond == FlowBondLaw::kArtificialStress && scratch.artificial.size() != 4 * (n + 1))
     scratch.artificial.allocate(4 * (n + 1), stagger++, model_.heap);
   if (scratch.next_stress.size() != 4 * (n + 1)) scratch.next_stress.allocate(4 * (n + 1), stagger++, model_.heap);
   if (model_.bond == FlowBondLaw::kVirtual && scratch.pair_force.size() != 2 * n)
     scratch.pair_force.allocate(2 * n, stagger++, model_.heap);
-  scratch.weight.allocate(4 * (lists.ghosts.size() + 1), stagger++, model_.heap);
-  if (scratch.pairs.size() < 4 * lists.neighbours.size())
-    scratch.pairs.allocate(4 * lists.neighbours.size(), stagger++, model_.heap);
+  fit(scratch.weight, 4 * (lists.ghosts.size() + 1));
+  fit(scratch.pairs, 4 * lists.neighbours.size());
   for (Array* a : {&scratch.gradient, &scratch.bond, &scratch.flux, &scratch.slope_x, &scratch.slope_y})
     for (std::size_t k = 0; a->present() && k < 4; ++k) (*a)[4 * n + k] = 0;
   for (std::size_t k = 0; k < 4; ++k) scratch.motion[4 * n + k] = k < 2 ? kBlank : 0;

@@ -10,11 +10,14 @@ namespace vbgpd {
 
 namespace {
 
-void permute(Array& a, const std::vector<std::int32_t>& order, std::size_t width) {
+/// Rows of kWidth values in another order; `old` is room for a copy.
+template <std::size_t kWidth>
+void permute(Array& a, const std::vector<std::int32_t>& order, std::vector<Real>& old) {
   if (!a.present()) return;
-  const Array old = a;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t k = 0; k < width; ++k) a[width * i + k] = old[width * static_cast<std::size_t>(order[i]) + k];
+  old.assign(a.data(), a.data() + kWidth * order.size());
+  Real* to = a.data();
+  for (const std::int32_t from : order)
+    to = std::copy_n(old.data() + kWidth * static_cast<std::size_t>(from), kWidth, to);
 }
 
 Real along(const FlowWall& w, Real x, Real y) { return (x - w.x) * w.ny - (y - w.y) * w.nx; }
@@ -99,7 +102,6 @@ class Lister {
     place_images();
     const Bins soil(cells_, xy_.data(), n), ghosts(cells_, images_.data(), lists_.ghosts.size());
     group_by_cell(m_, state_, cells_, soil, ghosts, lists_);
-    lists_.neighbours.clear();
     for (std::size_t i = 0; i < n; ++i) {
       FlowRow& row = lists_.rows[i];
       row.begin = packs();
@@ -110,6 +112,7 @@ class Lister {
       fill_pack();
       row.end = packs();
     }
+    lists_.neighbours.resize(listed_);
   }
 
   /// Pairs that list() would look at; `most` once there are more images than that.
@@ -139,9 +142,16 @@ class Lister {
       images_.push_back(x), images_.push_back(y);
     }
   }
-  std::int32_t packs() const { return static_cast<std::int32_t>(lists_.neighbours.size() / 4); }
+  std::int32_t packs() const { return static_cast<std::int32_t>(listed_ / 4); }
+  /// Where the next neighbours go, with room for so many.
+  std::int32_t* place_for(std::size_t most) {
+    List<std::int32_t>& all = lists_.neighbours;
+    if (all.size() < listed_ + most) all.resize(std::max(2 * listed_, kUsual * lists_.rows.size()) + most);
+    return all.data() + listed_;
+  }
+  void add(std::int32_t neighbour) { *place_for(1) = neighbour, ++listed_; }
   void fill_pack() {
-    while (lists_.neighbours.size() % 4 != 0) lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles));
+    while (listed_ % 4 != 0) add(static_cast<std::int32_t>(m_.particles));
   }
   Real square_distance(std::size_t i, Real x, Real y) const {
     const Real dx = x - xy_[2 * i], dy = y - xy_[2 * i + 1];
@@ -153,7 +163,7 @@ class Lister {
     if (square_distance(i, x, y) >= reach2_) return;
     const FlowWall& wall = m_.walls[static_cast<std::size_t>(ghost.wall)];
     if (ghost.second < 0 && !seen(wall, xy_[2 * i], xy_[2 * i + 1], x, y)) return;
-    lists_.neighbours.push_back(static_cast<std::int32_t>(m_.particles) + 1 + g);
+    add(static_cast<std::int32_t>(m_.particles) + 1 + g);
   }
   /// Everything in the cell of particle i and the eight around it; the same for all particles of the cell.
   void look_around(std::size_t i, const Bins& soil) {
@@ -188,10 +198,7 @@ class Lister {
       found[within_reach] = static_cast<std::int32_t>(k);
       within_reach += distance2[k] < reach2;
     }
-    const std::size_t before = lists_.neighbours.size();
-    lists_.neighbours.resize(before + within_reach);
-    std::int32_t *const near = lists_.neighbours.data() + before, *const middle = middle_.data(),
-                        *const far = far_.data();
+    std::int32_t *const near = place_for(within_reach + 1), *const middle = middle_.data(), *const far = far_.data();
     const auto self = static_cast<std::int32_t>(i);
     std::size_t nears = 0, middles = 0, fars = 0;
     for (std::size_t n = 0; n < within_reach; ++n) {
@@ -203,7 +210,7 @@ class Lister {
     }
     std::copy_n(middle, middles, near + nears);
     std::copy_n(far, fars, near + nears + middles);
-    lists_.neighbours.resize(before + nears + middles + fars);
+    listed_ += nears + middles + fars;
   }
   void list_ghosts(std::size_t i, const Bins& ghosts) {
     cells_.around(xy_[2 * i], xy_[2 * i + 1], [&](std::int64_t first, std::int64_t last) {
@@ -218,6 +225,8 @@ class Lister {
   FlowLists& lists_;
   Real reach_, reach2_, support2_, middle2_;
   Cells cells_;
+  static constexpr std::size_t kUsual = 36;  // a row of the bulk, filled up to packs
+  std::size_t listed_ = 0;
   std::vector<Real> images_;
   std::int64_t seen_from_ = -1;
   std::vector<std::int32_t> around_, found_, middle_, far_;
@@ -265,27 +274,28 @@ void place_constants(const FlowModel& m, const FlowState& s, FlowLists& lists) {
   }
 }
 
-/// Hands the bonds that live on from the old list to the new one. order: old place of each particle.
+/// Hands the bonds that live on from the old list to the new one, whose other bonds have no traction. order: old place
+/// of each particle.
 void hand_over(const FlowModel& m, const FlowLists& old, const Array& from, const std::vector<std::int32_t>& order,
                const FlowLists& lists, Array& to) {
   const auto n = static_cast<std::size_t>(m.particles);
+  const auto blank = static_cast<std::int32_t>(m.particles);
   std::vector<std::int32_t> slot_of(n, -1);  // where an old neighbour stands in the old row; older rows are told apart
   for (std::size_t i = 0; i < n; ++i) {
     const auto was = static_cast<std::size_t>(order[i]);
-    if (was >= old.rows.size()) continue;
-    const FlowRow &row = lists.rows[i], &before = old.rows[was];
-    for (std::int32_t k = 4 * before.begin; k < 4 * before.ghosts; ++k) {
+    const FlowRow row = lists.rows[i], before = was < old.rows.size() ? old.rows[was] : FlowRow{};
+    const std::int32_t first = 4 * before.begin, last = 4 * before.ghosts;
+    for (std::int32_t k = first; k < last; ++k) {
       const std::int32_t j = old.neighbours[static_cast<std::size_t>(k)];
-      if (j < m.particles) slot_of[static_cast<std::size_t>(j)] = k;
+      if (j < blank) slot_of[static_cast<std::size_t>(j)] = k;
     }
-    for (auto k = 4 * static_cast<std::size_t>(row.begin); k < 4 * static_cast<std::size_t>(row.ghosts); ++k) {
+    for (auto k = 4 * static_cast<std::size_t>(row.begin); k < 4 * static_cast<std::size_t>(row.end); ++k) {
       const std::int32_t j = lists.neighbours[k];
-      if (j >= m.particles) continue;
-      const std::int32_t slot = slot_of[static_cast<std::size_t>(order[static_cast<std::size_t>(j)])];
-      if (slot < 4 * before.begin || slot >= 4 * before.ghosts) continue;
-      const auto found = static_cast<std::size_t>(slot);
+      const std::int32_t slot = j < blank ? slot_of[static_cast<std::size_t>(order[static_cast<std::size_t>(j)])] : -1;
+      const bool lives = slot >= first && slot < last;
+      const auto found = static_cast<std::size_t>(lives ? slot : 0);
       for (std::size_t part = 0; part < 8; part += 4)
-        to[8 * (k / 4) + part + k % 4] = from[8 * (found / 4) + part + found % 4];
+        to[8 * (k / 4) + part + k % 4] = lives ? from[8 * (found / 4) + part + found % 4] : 0;
     }
   }
 }
@@ -310,16 +320,20 @@ bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
   const Bins sorted(cells, s.listed.data(), n);
   const std::vector<std::int32_t>& order = sorted.items;  // new place -> old place
   const bool reordered = !std::is_sorted(order.begin(), order.end());
-  permute(s.motion, order, 4), permute(s.stress, order, 4), permute(s.listed, order, 2);
-  for (Array* a : {&s.gap, &s.plastic_strain, &s.wall_shear, &s.wall_limit, &s.particle, &s.dead})
-    permute(*a, order, 1);
+  std::vector<Real> room;
+  if (reordered) {
+    permute<4>(s.motion, order, room), permute<4>(s.stress, order, room), permute<2>(s.listed, order, room);
+    for (Array* a : {&s.gap, &s.plastic_strain, &s.wall_shear, &s.wall_limit, &s.particle, &s.dead})
+      permute<1>(*a, order, room);
+  }
   const FlowLists old = std::move(lists);
   const Array traction = std::move(s.traction);
   list_neighbours(m, s, lists = FlowLists{});
   s.traction = Array{};
   if (!m.keeps_bonds()) return reordered;
-  s.traction.allocate(2 * lists.neighbours.size(), 8, m.heap);
+  s.traction.allocate_for_overwrite(2 * lists.neighbours.size(), 8, m.heap);
   if (traction.present()) hand_over(m, old, traction, order, lists, s.traction);
+  else s.traction.fill_zero();
   return reordered;
 }
 
