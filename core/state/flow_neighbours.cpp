@@ -6,6 +6,10 @@
 
 #include "state/flow_drift.h"
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace vbgpd {
 
 namespace {
@@ -80,6 +84,37 @@ bool seen(const FlowWall& w, Real x, Real y, Real image_x, Real image_y) {
   if (!(front + back > 0)) return false;
   const Real a = along(w, x, y), b = along(w, image_x, image_y), s = a + front / (front + back) * (b - a);
   return s >= w.low && s <= w.high;
+}
+
+/// Squares of the distances from (x, y), and the numbers of those below `reach2`; answers how many these are. `near`
+/// has room for one more than there are points.
+std::size_t pick_near(const Real* px, const Real* py, std::size_t points, Real x, Real y, Real reach2, Real* distance2,
+                      std::int32_t* near) {
+  std::size_t count = 0, k = 0;
+#if defined(__SSE2__)
+  // two at a time, without branches: what the comparison says picks the numbers to write and how many of them count
+  static constexpr std::int32_t kPicked[4][2] = {{0, 0}, {0, 0}, {1, 0}, {0, 1}};
+  static constexpr std::uint8_t kCount[4] = {0, 1, 1, 2};
+  const __m128d x2 = _mm_set1_pd(x), y2 = _mm_set1_pd(y), limit = _mm_set1_pd(reach2);
+  __m128i number = _mm_setzero_si128();
+  for (; k + 1 < points; k += 2) {
+    const __m128d dx = _mm_sub_pd(_mm_loadu_pd(px + k), x2), dy = _mm_sub_pd(_mm_loadu_pd(py + k), y2);
+    const __m128d d2 = _mm_add_pd(_mm_mul_pd(dx, dx), _mm_mul_pd(dy, dy));
+    _mm_storeu_pd(distance2 + k, d2);
+    const int which = _mm_movemask_pd(_mm_cmplt_pd(d2, limit));
+    const __m128i picked = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPicked[which]));
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(near + count), _mm_add_epi32(picked, number));
+    count += kCount[which];
+    number = _mm_add_epi32(number, _mm_set1_epi32(2));
+  }
+#endif
+  for (; k < points; ++k) {
+    const Real dx = px[k] - x, dy = py[k] - y;
+    distance2[k] = dx * dx + dy * dy;
+    near[count] = static_cast<std::int32_t>(k);
+    count += distance2[k] < reach2;
+  }
+  return count;
 }
 
 class Lister {
@@ -176,7 +211,7 @@ class Lister {
       around_x_.insert(around_x_.end(), soil.x.begin() + begin, soil.x.begin() + end);
       around_y_.insert(around_y_.end(), soil.y.begin() + begin, soil.y.begin() + end);
     });
-    distance2_.resize(around_.size()), found_.resize(around_.size());
+    distance2_.resize(around_.size()), found_.resize(around_.size() + 1);
     middle_.resize(around_.size()), far_.resize(around_.size());
   }
   /// Soil around particle i by distance: within the support, a little beyond, farther. The step leaves out the packs
@@ -186,18 +221,10 @@ class Lister {
     look_around(i, soil);
     const Real x = xy_[2 * i], y = xy_[2 * i + 1], reach2 = reach2_, support2 = support2_, middle2 = middle2_;
     const std::size_t candidates = around_.size();
-    const Real *const ax = around_x_.data(), *const ay = around_y_.data();
     Real* const distance2 = distance2_.data();
-    for (std::size_t k = 0; k < candidates; ++k) {
-      const Real dx = ax[k] - x, dy = ay[k] - y;
-      distance2[k] = dx * dx + dy * dy;
-    }
     std::int32_t* const found = found_.data();
-    std::size_t within_reach = 0;
-    for (std::size_t k = 0; k < candidates; ++k) {
-      found[within_reach] = static_cast<std::int32_t>(k);
-      within_reach += distance2[k] < reach2;
-    }
+    const std::size_t within_reach =
+        pick_near(around_x_.data(), around_y_.data(), candidates, x, y, reach2, distance2, found);
     std::int32_t *const near = place_for(within_reach + 1), *const middle = middle_.data(), *const far = far_.data();
     const auto self = static_cast<std::int32_t>(i);
     std::size_t nears = 0, middles = 0, fars = 0;

@@ -60,8 +60,9 @@ TEST(GroundWater, RatioOfPorePressureIsThatOfTheWeightAbove) {
   const LatticeSimulation s(scene, {}, best_kernels());
   const std::vector<double> place = field(s, "reference_position"), pressure = field(s, "pore_pressure");
   for (std::size_t k = 0; k < pressure.size(); ++k)
-    if (place[2 * k] > 0 && place[2 * k] < 10)
+    if (place[2 * k] > 0 && place[2 * k] < 10) {
       EXPECT_NEAR(pressure[k], 0.4 * 20e3 * (10 - place[2 * k + 1]), 1e-6 * 80e3);
+    }
 }
 
 TEST(GroundWater, RatioCountsTheLayersThatAreThere) {
@@ -77,8 +78,9 @@ TEST(GroundWater, RatioCountsTheLayersThatAreThere) {
   for (const LatticeSimulation* one : {&s, &other}) {
     const std::vector<double> place = field(*one, "reference_position"), pressure = field(*one, "pore_pressure");
     for (std::size_t k = 0; k < pressure.size(); ++k)
-      if (place[2 * k] > 0 && place[2 * k] < 10 && place[2 * k + 1] < 6)
+      if (place[2 * k] > 0 && place[2 * k] < 10 && place[2 * k + 1] < 6) {
         EXPECT_NEAR(pressure[k], 0.4 * 20e3 * (6 - place[2 * k + 1]), 1e-6 * 80e3);
+      }
   }
   s.set_layers({true, true});
   EXPECT_EQ(field(s, "pore_pressure"), field(LatticeSimulation(scene, {}, best_kernels()), "pore_pressure"));
