@@ -34,7 +34,7 @@ struct ThinLayer {
 };
 
 struct Estimate {
-  std::string status, reason;  ///< OK, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, ENERGY_UNBALANCED
+  std::string status, reason;  ///< OK, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, ENERGY_UNBALANCED
   double value = kNone;  ///< extrapolated where that can be trusted, half way where the order is unknown, else that of
                          ///< the finest grid
   double error = kNone;  ///< never less than half the bracket of the finest grid

@@ -47,15 +47,16 @@ struct Level {
   double wall_seconds = 0, cpu_seconds = 0;
   double estimate = kNone, error_estimate = kNone;  ///< from this grid and the coarser ones
   double sliding_area = kNone;                      ///< of the mechanism on this grid, m2
-  double misfit = 0;                                ///< of key lines from cell edges, in coarse cells
-  double unsteadiness = 0;                          ///< of the flow at the failed end of the bracket
-  double energy_residual = 0;                       ///< of the flow that shows the mechanism
+  double sliding_thickness = kNone;  ///< area over length of the slip line, m; NaN in soil without friction
+  double misfit = 0;                 ///< of key lines from cell edges, in coarse cells
+  double unsteadiness = 0;           ///< of the flow at the failed end of the bracket
+  double energy_residual = 0;        ///< of the flow that shows the mechanism
 };
 
 struct JobResult {
   std::string status = "NOT_RUN";  ///< OK, AT_REST, TIME_REACHED, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX,
-                                   ///< NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, ENERGY_UNBALANCED,
-                                   ///< TARGET_NOT_MET, DIVERGED, NO_MEMORY
+                                   ///< NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE,
+                                   ///< ENERGY_UNBALANCED, TARGET_NOT_MET, DIVERGED, NO_MEMORY
   std::string reason, scheme, reduced, flow_rule;
   double factor_of_safety = kNone, srf_stable = kNone, srf_unstable = kNone, error_estimate = kNone;
   double displacement_level = kNone, sliding_area = kNone, energy_residual = kNone;

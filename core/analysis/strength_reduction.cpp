@@ -15,6 +15,12 @@ namespace vbgpd {
 
 namespace {
 
+double length_of(const std::vector<Point>& line) {
+  double sum = 0;
+  for (std::size_t k = 1; k < line.size(); ++k) sum += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
+  return sum;
+}
+
 class StrengthReductionJob final : public SliceJob {
  public:
   using SliceJob::SliceJob;
@@ -49,6 +55,7 @@ class StrengthReductionJob final : public SliceJob {
         level.factor_of_safety = (search.stable() + search.failed()) / 2;
         result_.displacement_level = search.displacement_level();
         for (Slices s = mechanism(simulation, search.response_steps() / 2); s.next();) co_yield Pause{};
+        if (has_friction()) level.sliding_thickness = result_.sliding_area / length_of(result_.slip_surface);
         level.sliding_area = result_.sliding_area, level.energy_residual = result_.energy_residual;
         if (is_own(n) && other) simulation_.take_stresses(*other);
       }
@@ -197,6 +204,12 @@ class StrengthReductionJob final : public SliceJob {
   }
 
   bool met() const { return now_.status == "OK" && now_.discretisation && now_.error <= target_; }
+
+  bool has_friction() const {
+    const std::vector<std::size_t> soils = yielding_soils(simulation_);
+    return std::any_of(soils.begin(), soils.end(),
+                       [&](std::size_t m) { return simulation_.scene().materials[m].friction_angle > 0; });
+  }
 
   /// Soils whose cohesion was counted as the least that a grid of that spacing can have (least_cohesion).
   std::string raised_cohesion(double spacing) const {

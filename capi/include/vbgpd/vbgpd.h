@@ -369,8 +369,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] 
  * next_level_spacing and next_level_seconds (one more grid, predicted). NaN where it has no value.
  * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_f64(const vbgpd_job*, const char* name, int64_t len, double* value);
-/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, ENERGY_UNBALANCED: the value
- * of the finest grid is given as it is; TARGET_NOT_MET; DIVERGED; NO_MEMORY), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
+/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, ENERGY_UNBALANCED:
+ * the value of the finest grid is given as it is; TARGET_NOT_MET; DIVERGED; NO_MEMORY), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 
 /* One strength reduction factor that was tried, with its evidence. */
