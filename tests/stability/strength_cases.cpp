@@ -226,7 +226,7 @@ void add_weight(std::vector<Case>& all) {
     s.gravity *= 100, s.materials[0].unit_weight *= 100, s.materials[0].cohesion *= 100;
     s.materials[0].young_modulus *= 100;
   }));
-  all.push_back(but(known("gravity x 100: c hardly counts", "OK", 2 * std::tan(20 * M_PI / 180), 0.1, true,
+  all.push_back(but(known("gravity x 100: c hardly counts", "THIN_SLIDE", 2 * std::tan(20 * M_PI / 180), 0.15, true,
                           changed([](SceneDef& s) { s.gravity *= 100, s.materials[0].unit_weight *= 100; }), 2),
                     kVolume));
 }
