@@ -203,7 +203,10 @@ class StrengthReductionJob final : public SliceJob {
     result_.srf_stable = last.srf_stable, result_.srf_unstable = last.srf_unstable;
   }
 
-  bool met() const { return now_.status == "OK" && now_.discretisation && now_.error <= target_; }
+  /// A skin stays one on the finest grid: its estimate counts like that of an extrapolated value.
+  bool met() const {
+    return (now_.status == "OK" || now_.status == "THIN_SLIDE") && now_.discretisation && now_.error <= target_;
+  }
 
   bool has_friction() const {
     const std::vector<std::size_t> soils = yielding_soils(simulation_);
