@@ -10,10 +10,10 @@ namespace vbgpd {
 
 namespace {
 
-/// Columns of cells along the short side of the section; `at` finds the storage index of a cell.
-class Columns {
+/// Lines of cells along x or along y; `at` finds the storage index of a cell.
+class Lines {
  public:
-  Columns(const Section& section, int width) : width_(width) {
+  Lines(const Section& section, int width, bool along_x) : width_(width), along_x_(along_x) {
     Index min_x = 0, max_x = 0, min_y = 0, max_y = 0;
     if (!section.seeds.empty()) {
       min_x = max_x = section.seeds[0].ix, min_y = max_y = section.seeds[0].iy;
@@ -22,7 +22,6 @@ class Columns {
         min_y = std::min(min_y, s.iy), max_y = std::max(max_y, s.iy);
       }
     }
-    along_x_ = max_x - min_x < max_y - min_y;
     first_ = along_x_ ? min_y : min_x;
     const Index last = along_x_ ? max_y : max_x;
     low_.assign(static_cast<std::size_t>(last - first_ + 1), 0);
@@ -32,45 +31,70 @@ class Columns {
       if (high_[c] < low_[c]) low_[c] = high_[c] = minor(s);
       low_[c] = std::min(low_[c], minor(s)), high_[c] = std::max(high_[c], minor(s));
     }
-    // every column is followed by a pad of `width` cells without volume, so that packs may read past its ends
+    // every line is followed by at least width - 1 cells without volume, so that packs may read past its ends
     std::int32_t next = width;
     for (std::size_t c = 0; c < low_.size(); ++c) {
       start_.push_back(next);
-      if (high_[c] >= low_[c]) next += (high_[c] - low_[c] + width) / width * width + width;
+      if (high_[c] >= low_[c]) next += (high_[c] - low_[c] + 2 * width - 1) / width * width;
     }
     storage_ = next + width;
   }
   Index major(const Seed& s) const { return along_x_ ? s.iy : s.ix; }
   Index minor(const Seed& s) const { return along_x_ ? s.ix : s.iy; }
   std::int32_t at(const Seed& s) const { return index(major(s), minor(s)); }
-  /// Storage index a cell would have, also a little outside its column; -1 when there is no such column.
-  std::int32_t index(Index column, Index cell) const {
-    const Index c = column - first_;
+  /// Storage index a cell would have, also a little outside its line; -1 when there is no such line.
+  std::int32_t index(Index line, Index cell) const {
+    const Index c = line - first_;
     if (c < 0 || c >= static_cast<Index>(low_.size()) ||
         high_[static_cast<std::size_t>(c)] < low_[static_cast<std::size_t>(c)])
       return -1;
     return start_[static_cast<std::size_t>(c)] + cell - low_[static_cast<std::size_t>(c)];
   }
-  /// True when cells cell .. cell + width - 1 of a column touch what the column holds.
-  bool touches(Index column, Index cell) const {
-    const auto c = static_cast<std::size_t>(column - first_);
+  /// True when cells cell .. cell + width - 1 of a line touch what the line holds.
+  bool touches(Index line, Index cell) const {
+    const auto c = static_cast<std::size_t>(line - first_);
     return cell + width_ - 1 >= low_[c] && cell <= high_[c];
   }
   bool along_x() const { return along_x_; }
   std::int32_t storage() const { return storage_; }
   std::size_t count() const { return low_.size(); }
-  Index column(std::size_t c) const { return first_ + static_cast<Index>(c); }
+  Index line(std::size_t c) const { return first_ + static_cast<Index>(c); }
   Index low(std::size_t c) const { return low_[c]; }
   Index high(std::size_t c) const { return high_[c]; }
+  Index longest() const {
+    Index longest = 0;
+    for (std::size_t c = 0; c < low_.size(); ++c) longest = std::max(longest, high_[c] - low_[c] + 1);
+    return longest;
+  }
 
  private:
   int width_;
-  bool along_x_ = false;
+  bool along_x_;
   Index first_ = 0;
   std::vector<Index> low_, high_;
   std::vector<std::int32_t> start_;
   std::int32_t storage_ = 0;
 };
+
+/// What a step along these lines costs, in packs: bonds once for every material in a block, a quarter of it the sums
+/// over particles, padding included.
+Real cost_of(const Lines& lines, const Section& section, int width) {
+  constexpr Real kSums = 0.25, kOutOfCache = 1.1;
+  std::vector<std::uint64_t> materials(static_cast<std::size_t>(lines.storage() / width), 0);
+  for (const Seed& s : section.seeds)
+    if (s.active)
+      materials[static_cast<std::size_t>(lines.at(s) / width)] |= std::uint64_t{1}
+                                                                  << (static_cast<unsigned>(s.material) % 64);
+  Real packs = kSums * static_cast<Real>(materials.size());
+  for (const std::uint64_t there : materials) packs += __builtin_popcountll(there);
+  return lines.longest() > kLongestLine ? kOutOfCache * packs : packs;
+}
+
+/// Along x layers stay in packs of their own and lines are long; along y the lines of a large section are shorter.
+Lines lines_of(const Section& section, int width) {
+  Lines x(section, width, true), y(section, width, false);
+  return cost_of(x, section, width) < cost_of(y, section, width) ? x : y;
+}
 
 struct LatticeOffset {
   int major, minor;
@@ -98,10 +122,10 @@ std::vector<LatticeOffset> spread(std::vector<LatticeOffset> rest, int width) {
 
 /// Offsets within the support 2h, forward ones (higher storage index) first, spread; then their opposites. Particles
 /// off the lattice by up to `jitter` spacings may be nearer than their cells.
-std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& lattice, Real jitter,
+std::vector<LatticeOffset> find_offsets(const Lines& lines, const Lattice& lattice, Real jitter,
                                         const AnyKernel& kernel, Real h, Model& m) {
-  const Real minor_spacing = columns.along_x() ? lattice.spacing.x() : lattice.spacing.y();
-  const Real major_spacing = columns.along_x() ? lattice.spacing.y() : lattice.spacing.x();
+  const Real minor_spacing = lines.along_x() ? lattice.spacing.x() : lattice.spacing.y();
+  const Real major_spacing = lines.along_x() ? lattice.spacing.y() : lattice.spacing.x();
   std::vector<LatticeOffset> forward;
   const int reach = static_cast<int>(std::ceil(2 * h / std::min(minor_spacing, major_spacing) + 2 * jitter));
   const auto nearest = [&](int cells) { return std::max<Real>(0, std::abs(cells) - 2 * jitter); };
@@ -121,7 +145,7 @@ std::vector<LatticeOffset> find_offsets(const Columns& columns, const Lattice& l
   for (LatticeOffset o : all) {
     const Real a = o.major * major_spacing, b = o.minor * minor_spacing;
     m.offsets.push_back(
-        offset_of(columns.along_x() ? b : a, columns.along_x() ? a : b, value(kernel, std::hypot(a, b), h)));
+        offset_of(lines.along_x() ? b : a, lines.along_x() ? a : b, value(kernel, std::hypot(a, b), h)));
   }
   return all;
 }
@@ -149,8 +173,8 @@ struct Occupancy {
   static bool less(const CutPair& p, const CutPair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; }
 };
 
-Occupancy number_particles(const Section& section, const Columns& columns, Real reach, Model& m) {
-  m.storage = columns.storage();
+Occupancy number_particles(const Section& section, const Lines& lines, Real reach, Model& m) {
+  m.storage = lines.storage();
   const auto n = static_cast<std::size_t>(m.storage);
   m.seed_of.assign(n, -1);
   m.material.assign(n, -1);
@@ -164,7 +188,7 @@ Occupancy number_particles(const Section& section, const Columns& columns, Real 
       if ((section.seeds[k].hold == Hold::kFree) == soil) m.id_of[k] = id++;
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
     const Seed& s = section.seeds[k];
-    const std::int32_t i = columns.at(s);
+    const std::int32_t i = lines.at(s);
     m.storage_of[k] = i;
     if (s.hold == Hold::kFree) ++m.soil_particles;
     if (!s.active) continue;
@@ -199,18 +223,18 @@ Lanes lanes_of(const Occupancy& who, int width, std::int32_t i, std::int32_t j) 
   return lanes;
 }
 
-void build_blocks(const Columns& columns, const std::vector<LatticeOffset>& offsets, const Occupancy& who, Model& m) {
-  for (std::size_t c = 0; c < columns.count(); ++c) {
-    const Index column = columns.column(c);
-    for (Index cell = columns.low(c); cell <= columns.high(c); cell += m.width) {
+void build_blocks(const Lines& lines, const std::vector<LatticeOffset>& offsets, const Occupancy& who, Model& m) {
+  for (std::size_t c = 0; c < lines.count(); ++c) {
+    const Index line = lines.line(c);
+    for (Index cell = lines.low(c); cell <= lines.high(c); cell += m.width) {
       Block block;
-      block.first = columns.index(column, cell);
+      block.first = lines.index(line, cell);
       if (!who.any(block.first)) continue;
       block.neighbours_begin = block.backward_begin = static_cast<std::int32_t>(m.neighbours.size());
       block.forward_before = m.forward_packs;
       for (std::size_t o = 0; o < offsets.size(); ++o) {
-        const std::int32_t j = columns.index(column + offsets[o].major, cell + offsets[o].minor);
-        if (j < 0 || !columns.touches(column + offsets[o].major, cell + offsets[o].minor)) continue;
+        const std::int32_t j = lines.index(line + offsets[o].major, cell + offsets[o].minor);
+        if (j < 0 || !lines.touches(line + offsets[o].major, cell + offsets[o].minor)) continue;
         const Lanes lanes = lanes_of(who, m.width, block.first, j);
         if (lanes.bonds == 0) continue;
         m.neighbours.push_back({j, static_cast<std::uint8_t>(o), lanes.hidden ? lanes.bonds : std::uint8_t{0xff}});
@@ -357,10 +381,10 @@ void build_operators(Model& m) {
 }  // namespace
 
 void build_packs(const Section& section, Real jitter, const AnyKernel& kernel, Real h, Model& m) {
-  const Columns columns(section, m.width);
-  const std::vector<LatticeOffset> offsets = find_offsets(columns, section.lattice, jitter, kernel, h, m);
-  const Occupancy who = number_particles(section, columns, 2 * h * (1 - 1e-9), m);
-  build_blocks(columns, offsets, who, m);
+  const Lines lines = lines_of(section, m.width);
+  const std::vector<LatticeOffset> offsets = find_offsets(lines, section.lattice, jitter, kernel, h, m);
+  const Occupancy who = number_particles(section, lines, 2 * h * (1 - 1e-9), m);
+  build_blocks(lines, offsets, who, m);
   for (const Block& block : m.blocks) {
     if (m.features.bond == BondLaw::kNone) {
       add_packs(who, block.first, block.first, 0, m.packs, m);

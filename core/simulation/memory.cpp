@@ -10,6 +10,7 @@
 #include "scene/wording.h"
 #include "simulation/build_model.h"
 #include "simulation/ground_water.h"
+#include "simulation/lattice_packs.h"
 #include "state/records.h"
 
 namespace vbgpd {
@@ -34,9 +35,9 @@ Shape shape_of(const SceneDef& scene) {
   return s;
 }
 
-/// Places of a lattice: cells of soil, walls along three sides of the box, and two packs of padding per column.
+/// Places of a lattice: cells of soil, walls along three sides of the box, and two packs of padding per line.
 struct Places {
-  double soil, walls, columns;
+  double soil, walls, lines;
 };
 
 Places places_of(const SceneDef& scene, const Lattice& lattice) {
@@ -46,7 +47,8 @@ Places places_of(const SceneDef& scene, const Lattice& lattice) {
   Places p;
   p.soil = signed_area(local(outline, lattice.origin)) / lattice.spacing.prod();
   p.walls = reach * (cells.x() + 2 * cells.y() + 2 * reach);
-  p.columns = std::max(cells.x(), cells.y()) + 2 * reach;
+  // the long lines waste least, and are taken unless they are too long
+  p.lines = 2 * reach + (cells.maxCoeff() + 2 * reach <= kLongestLine ? cells.minCoeff() : cells.maxCoeff());
   return p;
 }
 
@@ -67,8 +69,8 @@ double forward_offsets(const SceneDef& scene, const Lattice& lattice) {
 double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width) {
   const Shape shape = shape_of(scene);
   const Places places = places_of(scene, lattice);
-  const double particles = places.soil + places.walls, blocks = particles / width + places.columns;
-  const double storage = particles + 2 * width * places.columns;
+  const double particles = places.soil + places.walls, blocks = particles / width + places.lines;
+  const double storage = particles + 2 * width * places.lines;
   const double offsets = forward_offsets(scene, lattice), packs = blocks * (shape.bonded ? offsets : 1);
   constexpr double kCopies = 3;  // the state, that of the monitors and that of the energy audit
   const double state = 4 + (shape.volumetric ? 1 : 0) + (shape.plastic && !shape.bonded ? 3 : 0);

@@ -1,5 +1,6 @@
-// The lists of a model: particles sit on a lattice, numbered column by column (columns run along the short side), so
-// that `width` consecutive particles and one lattice offset make one pack of bonds. Plain data, no containers.
+// The lists of a model: particles sit on a lattice, numbered line by line (along x or y, whichever leaves fewer lanes
+// of packs empty), so that `width` consecutive particles and one lattice offset make one pack of bonds. Plain data, no
+// containers.
 #pragma once
 
 #include <cstdint>
