@@ -165,15 +165,7 @@ vbgpd_status vbgpd_profile_set_text(vbgpd_profile* profile, int32_t object_kind,
     const ObjectKind kind = part_kind(object_kind, 2);
     require_part(object.scene, kind, id, 3);
     const std::string_view key = text_in(name, len, 4, "name");
-    std::string& text = named_text(object.scene, kind, id, key, 4);
-    std::string new_text(text_in(value, value_len, 6, "value"));
-    if (kind == ObjectKind::kMaterial && key == "name") {
-      if (new_text == text) return Status::kOk;
-      require_new_material_name(object.scene, new_text, 6);
-      rename_material(object.scene, id, new_text);
-    } else {
-      text.swap(new_text);
-    }
+    set_named_text(object.scene, kind, id, key, 4, text_in(value, value_len, 6, "value"), 6);
     return Status::kOk;
   });
 }

@@ -29,22 +29,85 @@ Names known_numbers(ObjectKind kind) {
   return names;
 }
 
+/// The part of a scene that a member belongs to.
+template <class T>
+SceneDef& part(SceneDef& s, std::size_t, T SceneDef::*) {
+  return s;
+}
+template <class T>
+MaterialDef& part(SceneDef& s, std::size_t i, T MaterialDef::*) {
+  return s.materials[i];
+}
+template <class T>
+LayerDef& part(SceneDef& s, std::size_t i, T LayerDef::*) {
+  return s.layers[i];
+}
+template <class T>
+BoundaryDef& part(SceneDef& s, std::size_t i, T BoundaryDef::*) {
+  return s.boundaries[i];
+}
+
 struct NamedText {
   ObjectKind kind;
   const char* name;
-  std::string& (*find)(SceneDef&, std::size_t id);
+  std::string (*read)(SceneDef&, std::size_t id);
+  void (*write)(SceneDef&, std::size_t id, std::string value, int argument);
 };
 
-constexpr std::array<NamedText, 9> kTexts{{
-    {ObjectKind::kProfile, "name", [](SceneDef& s, std::size_t) -> std::string& { return s.name; }},
-    {ObjectKind::kProfile, "source", [](SceneDef& s, std::size_t) -> std::string& { return s.source; }},
-    {ObjectKind::kProfile, "bond", [](SceneDef& s, std::size_t) -> std::string& { return s.bond; }},
-    {ObjectKind::kProfile, "kernel", [](SceneDef& s, std::size_t) -> std::string& { return s.kernel; }},
-    {ObjectKind::kMaterial, "name", [](SceneDef& s, std::size_t i) -> std::string& { return s.materials[i].name; }},
-    {ObjectKind::kMaterial, "law", [](SceneDef& s, std::size_t i) -> std::string& { return s.materials[i].law; }},
-    {ObjectKind::kLayer, "material", [](SceneDef& s, std::size_t i) -> std::string& { return s.layers[i].material; }},
-    {ObjectKind::kBoundary, "name", [](SceneDef& s, std::size_t i) -> std::string& { return s.boundaries[i].name; }},
-    {ObjectKind::kBoundary, "side", [](SceneDef& s, std::size_t i) -> std::string& { return s.boundaries[i].side; }},
+template <auto Member>
+constexpr NamedText text(ObjectKind kind, const char* name) {
+  return {kind, name, [](SceneDef& s, std::size_t i) { return part(s, i, Member).*Member; },
+          [](SceneDef& s, std::size_t i, std::string value, int) { (part(s, i, Member).*Member).swap(value); }};
+}
+
+std::string kind_of_boundary(SceneDef& s, std::size_t i) {
+  return std::string(kBoundaryKinds[static_cast<std::size_t>(s.boundaries[i].kind)]);
+}
+
+void set_kind_of_boundary(SceneDef& s, std::size_t i, std::string value, int argument) {
+  const auto found = std::find(kBoundaryKinds.begin(), kBoundaryKinds.end(), value);
+  if (found == kBoundaryKinds.end())
+    throw ArgumentError(argument, Status::kUnknownName,
+                        "There is no kind \"" + value + "\" of boundary" + suggestion_text(value, kBoundaryKinds) +
+                            "; known: " + list_text(kBoundaryKinds) + ".");
+  s.boundaries[i].kind = static_cast<BoundaryKind>(found - kBoundaryKinds.begin());
+}
+
+/// Also in the layers made of it.
+void rename_material(SceneDef& scene, std::int64_t id, std::string_view name) {
+  const auto index = static_cast<std::size_t>(id);
+  const std::string old_name = scene.materials[index].name;
+  // Layers mean the first material of a name, should a scene file hold two.
+  const auto first = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                  [&](const MaterialDef& material) { return material.name == old_name; });
+  std::vector<LayerDef> layers = scene.layers;
+  if (first == scene.materials.begin() + static_cast<std::ptrdiff_t>(index)) {
+    for (LayerDef& layer : layers) {
+      if (layer.material == old_name) layer.material = name;
+    }
+  }
+  std::string new_name(name);
+  scene.layers.swap(layers);  // all that may throw is behind us
+  scene.materials[index].name.swap(new_name);
+}
+
+void set_name_of_material(SceneDef& s, std::size_t i, std::string value, int argument) {
+  if (value == s.materials[i].name) return;
+  require_new_material_name(s, value, argument);
+  rename_material(s, static_cast<std::int64_t>(i), value);
+}
+
+constexpr std::array<NamedText, 10> kTexts{{
+    text<&SceneDef::name>(ObjectKind::kProfile, "name"),
+    text<&SceneDef::source>(ObjectKind::kProfile, "source"),
+    text<&SceneDef::bond>(ObjectKind::kProfile, "bond"),
+    text<&SceneDef::kernel>(ObjectKind::kProfile, "kernel"),
+    {ObjectKind::kMaterial, "name", text<&MaterialDef::name>(ObjectKind::kMaterial, "name").read, set_name_of_material},
+    text<&MaterialDef::law>(ObjectKind::kMaterial, "law"),
+    text<&LayerDef::material>(ObjectKind::kLayer, "material"),
+    text<&BoundaryDef::name>(ObjectKind::kBoundary, "name"),
+    text<&BoundaryDef::side>(ObjectKind::kBoundary, "side"),
+    {ObjectKind::kBoundary, "kind", kind_of_boundary, set_kind_of_boundary},
 }};
 
 Names known_texts(ObjectKind kind) {
@@ -123,11 +186,22 @@ double& named_number(SceneDef& scene, ObjectKind kind, std::int64_t id, std::str
   return *value;
 }
 
-std::string& named_text(SceneDef& scene, ObjectKind kind, std::int64_t id, std::string_view name, int argument) {
+namespace {
+const NamedText& find_text(ObjectKind kind, std::string_view name, int argument) {
   const auto found = std::find_if(kTexts.begin(), kTexts.end(),
                                   [&](const NamedText& text) { return text.kind == kind && name == text.name; });
   if (found == kTexts.end()) unknown_name(kind, "text", name, argument, known_texts(kind));
-  return found->find(scene, static_cast<std::size_t>(id));
+  return *found;
+}
+}  // namespace
+
+std::string named_text(SceneDef& scene, ObjectKind kind, std::int64_t id, std::string_view name, int argument) {
+  return find_text(kind, name, argument).read(scene, static_cast<std::size_t>(id));
+}
+
+void set_named_text(SceneDef& scene, ObjectKind kind, std::int64_t id, std::string_view name, int argument,
+                    std::string_view value, int value_argument) {
+  find_text(kind, name, argument).write(scene, static_cast<std::size_t>(id), std::string(value), value_argument);
 }
 
 double default_number(ObjectKind kind, std::string_view name) {
@@ -164,23 +238,6 @@ void require_new_material_name(const SceneDef& scene, std::string_view name, int
                  "\"; layers find their material by name, so each needs its own.";
     throw ArgumentError(argument, issue);
   }
-}
-
-void rename_material(SceneDef& scene, std::int64_t id, std::string_view name) {
-  const auto index = static_cast<std::size_t>(id);
-  const std::string old_name = scene.materials[index].name;
-  // Layers mean the first material of a name, should a scene file hold two.
-  const auto first = std::find_if(scene.materials.begin(), scene.materials.end(),
-                                  [&](const MaterialDef& material) { return material.name == old_name; });
-  std::vector<LayerDef> layers = scene.layers;
-  if (first == scene.materials.begin() + static_cast<std::ptrdiff_t>(index)) {
-    for (LayerDef& layer : layers) {
-      if (layer.material == old_name) layer.material = name;
-    }
-  }
-  std::string new_name(name);
-  scene.layers.swap(layers);  // all that may throw is behind us
-  scene.materials[index].name.swap(new_name);
 }
 
 }  // namespace vbgpd::capi

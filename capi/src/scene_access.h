@@ -18,7 +18,10 @@ void require_part(const SceneDef& scene, ObjectKind kind, std::int64_t id, int a
 
 /// A named number or text of an existing part; throws Error(kUnknownName) listing the names there are.
 double& named_number(SceneDef& scene, ObjectKind kind, std::int64_t id, std::string_view name, int argument);
-std::string& named_text(SceneDef& scene, ObjectKind kind, std::int64_t id, std::string_view name, int argument);
+std::string named_text(SceneDef& scene, ObjectKind kind, std::int64_t id, std::string_view name, int argument);
+/// Throws Error also where the text may not be that: a name another material has, an unknown kind of boundary.
+void set_named_text(SceneDef& scene, ObjectKind kind, std::int64_t id, std::string_view name, int argument,
+                    std::string_view value, int value_argument);
 /// What the number is when the user says nothing; NaN = no default.
 double default_number(ObjectKind kind, std::string_view name);
 
@@ -27,7 +30,5 @@ const Polygon& polygon_of(const SceneDef& scene, ObjectKind kind, std::int64_t i
 
 /// Refuses an empty name and one another material has: layers find their material by name.
 void require_new_material_name(const SceneDef& scene, std::string_view name, int argument);
-/// Gives a material a new name, also in the layers made of it.
-void rename_material(SceneDef& scene, std::int64_t id, std::string_view name);
 
 }  // namespace vbgpd::capi

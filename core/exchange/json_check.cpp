@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "scene/wording.h"
 
@@ -13,8 +14,6 @@ namespace vbgpd {
 namespace {
 
 namespace fb = flatbuffers;
-
-constexpr std::size_t kMaxProblems = 20;  // of one file; more help nobody
 
 std::string expected_text(const fb::Type& type) {
   switch (type.base_type) {
@@ -48,42 +47,82 @@ std::string doc_of(const fb::FieldDef& field) {
   return doc.erase(0, doc.find_first_not_of(' '));
 }
 
+/// What is meant by the raw text between quotes: ~" by \u007e\".
+std::string unescaped(std::string_view raw) {
+  constexpr std::string_view kLetters = "bfnrt", kMeanings = "\b\f\n\r\t";
+  std::string text;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    const std::string_view rest = raw.substr(i);
+    if (rest.front() != '\\' || rest.size() < 2) {
+      text += rest.front();
+      continue;
+    }
+    const std::size_t letter = kLetters.find(rest[1]);
+    unsigned code = 0;
+    if (rest.size() >= 6 && rest[1] == 'u' &&
+        std::from_chars(rest.data() + 2, rest.data() + 6, code, 16).ptr == rest.data() + 6 && code < 0x80)
+      text += static_cast<char>(code), i += 5;
+    else if (rest[1] == 'u') text += rest.substr(0, 2), ++i;  // no name has such letters
+    else text += letter == kLetters.npos ? rest[1] : kMeanings[letter], ++i;
+  }
+  return text;
+}
+
+/// -12.5e3, and nothing that JSON writes otherwise (+1, .5, 010).
+bool is_json_number(std::string_view token) {
+  const auto digits = [&] {
+    std::size_t n = 0;
+    while (n < token.size() && token[n] >= '0' && token[n] <= '9') ++n;
+    const bool leading_zero = n > 1 && token.front() == '0';
+    token.remove_prefix(n);
+    return std::pair{n > 0, leading_zero};
+  };
+  const auto take = [&](std::string_view any) {
+    const bool there = !token.empty() && any.find(token.front()) != any.npos;
+    if (there) token.remove_prefix(1);
+    return there;
+  };
+  take("-");
+  if (const auto [some, leading_zero] = digits(); !some || leading_zero) return false;
+  if (take(".") && !digits().first) return false;
+  if (take("eE") && (take("+-"), !digits().first)) return false;
+  return token.empty();
+}
+
+/// What is too small for a double is 0, what is too large nothing.
+bool is_finite_number(std::string_view token) {
+  double number = 0;
+  const auto fault = std::from_chars(token.data(), token.data() + token.size(), number).ec;
+  if (fault == std::errc()) return std::isfinite(number);
+  const std::size_t exponent = token.find_first_of("eE");
+  if (exponent != token.npos) return token.substr(exponent + 1).starts_with('-');
+  return token.starts_with("0.") || token.starts_with("-0.");
+}
+
+/// nan, inf, -Infinity.
+bool is_no_number(std::string_view token) {
+  double number = 0;
+  const auto [end, fault] = std::from_chars(token.data(), token.data() + token.size(), number);
+  return fault == std::errc() && end == token.data() + token.size() && !std::isfinite(number);
+}
+
 /// Walks the text along the schema. Every function returns false where the text stops being JSON.
 class Walk {
  public:
-  /// `wanted` is a path whose place is looked for.
-  explicit Walk(std::string_view json, std::string_view wanted = {}) : json_(json), wanted_(wanted) {}
+  using Places = std::map<std::string, std::size_t>;
+  /// `places`: where to note the places of all values, if anywhere.
+  explicit Walk(std::string_view json, Places* places = nullptr) : json_(json), places_(places) {}
 
   std::vector<TextProblem> problems;
-  std::size_t place = 0;  ///< of what is wanted
 
-  bool object(const fb::StructDef& table, const std::string& path) {
-    const std::size_t start = here_;
-    std::set<std::string> seen, meant;  // field names as written, and as guessed from misspelt ones
-    if (!take('{')) return false;
-    for (bool first = true; skip_blank(), peek() != '}'; first = false) {
-      if (!first && !take(',')) return false;
-      skip_blank();
-      const std::size_t key_at = here_;
-      std::string_view key;
-      if (!string(key)) return false;
-      if (skip_blank(); !take(':')) return false;
-      skip_blank();
-      const auto* field = table.fields.Lookup(std::string(key));
-      const bool is_null = starts("null");
-      if (!field) meant.insert(unknown(key, table, path, key_at));
-      else if (!is_null && !seen.insert(std::string(key)).second) {
-        const std::string twice = join(path, key);
-        problem(key_at, twice, twice + " is written a second time: keep the value that is meant");
-        mend(key_at, key_at + key.size() + 2, "\"\"");  // a field nobody knows
-      }
-      if (!(field ? value(field->value.type, join(path, key), field) : skip_value())) return false;
-    }
-    missing(table, seen, meant, path, start);
-    return take('}');
+  /// The whole text.
+  bool document(const fb::StructDef& table) {
+    skip_blank();
+    note_place("", here_);
+    if (!object(table, "")) return false;
+    skip_blank();
+    return here_ == json_.size() || stop("end of file");
   }
-
-  std::size_t here() const { return here_; }
 
   /// The text without what is at fault.
   std::string mended() {
@@ -92,6 +131,45 @@ class Walk {
     std::size_t done = 0;
     for (const Mend& m : mends_) text.append(json_.substr(done, m.begin - done)).append(m.by), done = m.end;
     return text.append(json_.substr(done));
+  }
+
+ private:
+  /// Of an object: as written, those with a value, and what misspelt ones were meant to be.
+  struct Keys {
+    std::set<std::string> written, with_value;
+    std::map<std::string, std::size_t> meant;  // and which problem said so
+  };
+
+  bool object(const fb::StructDef& table, const std::string& path) {
+    const std::size_t start = here_;
+    Keys keys;
+    if (!take('{')) return false;
+    for (bool first = true; skip_blank(), peek() != '}'; first = false) {
+      if (!first && !take(',', ", or }")) return false;
+      skip_blank();
+      const std::size_t key_at = here_;
+      std::string_view written;
+      if (!string(written, "a name in quotes")) return false;
+      if (skip_blank(); !take(':')) return false;
+      skip_blank();
+      const std::string key = unescaped(written);
+      const auto* field = table.fields.Lookup(key);
+      const bool again = !keys.written.insert(key).second;
+      if (!field) {
+        const std::string meant = unknown(key, table, path, key_at);
+        keys.meant.emplace(meant, problems.size() - 1);
+      } else {
+        if (!starts("null")) keys.with_value.insert(key);
+        if (again) {
+          const std::string twice = join(path, key);
+          problem(key_at, twice, twice + " is written a second time: keep the value that is meant");
+          mend(key_at, key_at + written.size() + 2, "\"\"");  // a field nobody knows
+        }
+      }
+      if (!(field ? value(field->value.type, join(path, key), field) : skip_value())) return false;
+    }
+    missing(table, keys, path, start);
+    return take('}');
   }
 
   void skip_blank() {
@@ -103,7 +181,6 @@ class Walk {
     }
   }
 
- private:
   /// `field` is the field whose value this is, null in a list.
   bool value(const fb::Type& type, const std::string& path, const fb::FieldDef* field) {
     const std::size_t start = here_, faults = faults_;
@@ -127,7 +204,7 @@ class Walk {
   bool list(const fb::Type& element, const std::string& path) {
     if (!take('[')) return false;
     for (std::size_t i = 0; skip_blank(), peek() != ']'; ++i) {
-      if (i > 0 && !take(',')) return false;
+      if (i > 0 && !take(',', ", or ]")) return false;
       skip_blank();
       if (!value(element, path + "[" + std::to_string(i) + "]", nullptr)) return false;
       skip_blank();
@@ -137,9 +214,9 @@ class Walk {
 
   bool text(const fb::Type& type, const std::string& path, const fb::FieldDef* field) {
     const std::size_t start = here_;
-    std::string_view found;
-    if (!string(found)) return false;
-    const std::string said(found.substr(0, 64));
+    std::string_view written;
+    if (!string(written, "text in quotes")) return false;
+    const std::string found = unescaped(written), said = found.substr(0, 64);
     const std::vector<std::string_view> known = field == nullptr ? std::vector<std::string_view>() : choices(*field);
     if (type.base_type != fb::BASE_TYPE_STRING)
       problem(start, path,
@@ -155,20 +232,15 @@ class Walk {
     const std::size_t start = here_;
     while (here_ < json_.size() && std::string_view(" \t\r\n,:[]{}\"/").find(peek()) == std::string_view::npos) ++here_;
     const std::string_view found = json_.substr(start, here_ - start);
-    if (found.empty()) return false;
+    if (found.empty()) return stop(expected_text(type));
     if (found == "null") return true;
     const std::string said(found.substr(0, 40));
-    if (type.base_type != fb::BASE_TYPE_DOUBLE)
+    const bool no_number = is_no_number(found);
+    if (type.base_type != fb::BASE_TYPE_DOUBLE || !(is_json_number(found) || no_number))
       problem(start, path, path + ": expected " + expected_text(type) + ", found " + said);
-    else if (!is_finite_number(found))
+    else if (no_number || !is_finite_number(found))
       problem(start, path, path + ": " + said + " is not a finite number; leave the field out if there is no value");
     return true;
-  }
-
-  static bool is_finite_number(std::string_view token) {
-    double number = 0;
-    const auto [end, fault] = std::from_chars(token.data(), token.data() + token.size(), number);
-    return fault == std::errc() && end == token.data() + token.size() && std::isfinite(number);
   }
 
   /// Over a value of an unknown field, without recursion, so that deep nesting costs nothing.
@@ -178,12 +250,12 @@ class Walk {
       skip_blank();
       const char c = peek();
       std::string_view ignored;
-      if (here_ >= json_.size()) return false;
+      if (here_ >= json_.size()) return stop("a value");
       if (c == '"') {
-        if (!string(ignored)) return false;
+        if (!string(ignored, "text in quotes")) return false;
       } else {
         depth += (c == '{' || c == '[') - (c == '}' || c == ']');
-        if (depth < 0) return false;
+        if (depth < 0) return stop("a value");
         ++here_;
         if (depth == 0 && c != '}' && c != ']')
           while (here_ < json_.size() && std::string_view(",]} \t\r\n").find(peek()) == std::string_view::npos) ++here_;
@@ -193,13 +265,19 @@ class Walk {
   }
 
   /// The raw characters between quotes; escapes are left as written.
-  bool string(std::string_view& found) {
-    if (!take('"')) return false;
+  bool string(std::string_view& found, const char* expected) {
+    if (!take('"', expected)) return false;
     const std::size_t start = here_;
-    while (here_ < json_.size() && peek() != '"') here_ += peek() == '\\' ? 2 : 1;
-    if (here_ >= json_.size()) return false;
+    for (; here_ < json_.size() && peek() != '"'; ++here_) {
+      if (peek() != '\\') continue;
+      const std::string escape(json_.substr(here_, 2));
+      if (escape.size() < 2 || std::string_view("\"\\/bfnrtu").find(escape[1]) == std::string_view::npos)
+        problem(here_, "", "JSON has no " + escape + ": a \\ itself is written \\\\", kHarmless);
+      ++here_;
+    }
+    here_ = std::min(here_, json_.size());
     found = json_.substr(start, here_ - start);
-    return take('"');
+    return take('"', "\" at the end of a text");
   }
 
   /// Returns the field that was probably meant, so that it is not reported as missing too.
@@ -210,30 +288,32 @@ class Walk {
     const std::string_view nearest = nearest_name(key, names);
     problem(where, join(path, nearest.empty() ? key : nearest),
             prefix + "unknown field \"" + std::string(key.substr(0, 64)) + "\"" + suggestion_text(key, names) +
-                " (known here: " + list_text(names) + ")");
+                " (known here: " + list_text(names) + ")",
+            nearest.empty());
     return std::string(nearest);
   }
 
   /// What is neither there nor meant by a misspelt name. `start` is the brace that opens the object.
-  void missing(const fb::StructDef& table, const std::set<std::string>& seen, const std::set<std::string>& meant,
-               const std::string& path, std::size_t start) {
+  void missing(const fb::StructDef& table, const Keys& keys, const std::string& path, std::size_t start) {
     std::string added;
+    for (const auto& [field, problem] : keys.meant)
+      if (keys.with_value.contains(field)) problems[problem].harmless = true;
     for (const auto* field : table.fields.vec) {
-      if (!field->attributes.Lookup("needed") || seen.contains(field->name)) continue;
+      if (!field->attributes.Lookup("needed") || keys.with_value.contains(field->name)) continue;
       if (!choices(*field).empty()) added += "\"" + field->name + "\":" + substitute(*field) + ",";
-      if (meant.contains(field->name)) continue;
+      if (keys.meant.contains(field->name)) continue;
       const std::string doc = doc_of(*field);
       problem(start, join(path, field->name),
               join(path, field->name) + " is required" + (doc.empty() ? "" : ": " + doc));
     }
-    if (seen.empty() && meant.empty() && !added.empty()) added.pop_back();
+    if (keys.written.empty() && !added.empty()) added.pop_back();
     if (!added.empty()) mend(start + 1, start + 1, added);
   }
 
   /// What stands for a value at fault: nothing, or one of the choices where there must be one.
   static std::string substitute(const fb::FieldDef& field) {
     const std::vector<std::string_view> known = choices(field);
-    return known.empty() ? "null" : "\"" + std::string(known.front()) + "\"";
+    return known.empty() ? "null" : std::string("\"").append(known.front()).append("\"");
   }
 
   /// What stands for an object of a list.
@@ -245,17 +325,15 @@ class Walk {
     return "{" + fields + "}";
   }
 
-  void problem(std::size_t where, std::string path, std::string text) {
-    ++faults_;
-    if (problems.size() < kMaxProblems) problems.push_back({where, std::move(path), std::move(text)});
+  static constexpr bool kHarmless = true;
+  void problem(std::size_t where, std::string path, std::string text, bool harmless = false) {
+    faults_ += harmless ? 0 : 1;
+    problems.push_back({where, std::move(path), std::move(text), harmless});
   }
   void mend(std::size_t begin, std::size_t end, std::string by) { mends_.push_back({begin, end, std::move(by)}); }
 
-  /// Paths are met from the outside inwards: the last one that leads to what is wanted is the nearest.
   void note_place(const std::string& path, std::size_t here) {
-    if (!wanted_.starts_with(path)) return;
-    const std::string_view rest = wanted_.substr(path.size());
-    if (rest.empty() || rest.front() == '.' || rest.front() == '[') place = here;
+    if (places_ != nullptr) places_->emplace(path, here);
   }
 
   static std::string join(const std::string& path, std::string_view name) {
@@ -264,14 +342,31 @@ class Walk {
 
   char peek() const { return here_ < json_.size() ? json_[here_] : '\0'; }
   bool starts(std::string_view what) const { return json_.substr(here_).starts_with(what); }
-  bool take(char c) { return peek() == c && (++here_, true); }
+  bool take(char c, const char* expected = nullptr) {
+    if (here_ < json_.size() && peek() == c) return ++here_, true;
+    return stop(expected != nullptr ? expected : std::string(1, c));
+  }
+  /// The text is no JSON from here on.
+  bool stop(const std::string& expected) {
+    const bool cut = here_ >= json_.size();
+    problem(std::min(here_, json_.size()), "",
+            "expected " + expected + ", found " + (cut ? "end of file" : whole_character()), kHarmless);
+    return false;
+  }
+  /// With the bytes that UTF-8 has behind its first one.
+  std::string whole_character() const {
+    std::size_t end = here_ + 1;
+    while (end < json_.size() && (static_cast<unsigned char>(json_[end]) & 0xC0) == 0x80) ++end;
+    return std::string(json_.substr(here_, end - here_));
+  }
 
   struct Mend {
     std::size_t begin, end;
     std::string by;
   };
 
-  std::string_view json_, wanted_;
+  std::string_view json_;
+  Places* places_;
   std::size_t here_ = 0, faults_ = 0;
   std::vector<Mend> mends_;
 };
@@ -280,29 +375,16 @@ class Walk {
 
 TextCheck check_json(std::string_view json, const fb::StructDef& table) {
   Walk walk(json);
-  walk.skip_blank();
-  walk.object(table, "");
+  const bool is_json = walk.document(table);
   std::stable_sort(walk.problems.begin(), walk.problems.end(),
                    [](const TextProblem& a, const TextProblem& b) { return a.offset < b.offset; });
-  return {std::move(walk.problems), walk.mended()};
+  return {std::move(walk.problems), is_json, is_json ? walk.mended() : ""};
 }
 
-std::size_t place_of(std::string_view path, std::string_view json, const fb::StructDef& table) {
-  Walk walk(json, path);
-  walk.skip_blank();
-  walk.place = walk.here();
-  walk.object(table, "");
-  return walk.place;
-}
-
-TextPosition position(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0
-  const auto is_first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  const auto column =
-      1 + std::count_if(before.begin() + static_cast<std::ptrdiff_t>(line_start), before.end(), is_first_byte);
-  return {static_cast<std::size_t>(line), static_cast<std::size_t>(column)};
+std::map<std::string, std::size_t> places_in(std::string_view json, const fb::StructDef& table) {
+  Walk::Places places;
+  Walk(json, &places).document(table);
+  return places;
 }
 
 }  // namespace vbgpd

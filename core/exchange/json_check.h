@@ -1,13 +1,12 @@
 // What the flatbuffers JSON parser lets pass or words poorly, found beforehand: misspelt fields, missing ones, a text
-// or a NaN where a number belongs. Grammar is left to the parser.
+// or a NaN where a number belongs, and where the text stops being JSON.
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "exchange/text_position.h"
 
 namespace flatbuffers {
 struct StructDef;
@@ -20,21 +19,20 @@ struct TextProblem {
   std::size_t offset = 0;
   std::string path;
   std::string text;
+  bool harmless = false;  ///< no value is lost by it
 };
 
 struct TextCheck {
-  std::vector<TextProblem> problems;  ///< the first twenty, in the order of the text
+  std::vector<TextProblem> problems;  ///< in the order of the text
+  bool is_json = true;                ///< false: the last problem is where the text stops being JSON
   std::string mended;                 ///< the text without the values at fault, so that the rest of it can be read
 };
 
 /// Holds JSON text against a table of a schema: every name known, every value of the right kind and of those listed
-/// (one_of), nothing (needed) left out. Stops quietly at the first thing that is not JSON.
+/// (one_of), nothing (needed) left out.
 TextCheck check_json(std::string_view json, const flatbuffers::StructDef& table);
 
-/// Byte offset of the value called `path`, or of the nearest thing around it that is there.
-std::size_t place_of(std::string_view path, std::string_view json, const flatbuffers::StructDef& table);
-
-/// Line and column of a byte.
-TextPosition position(std::string_view text, std::size_t offset);
+/// Byte offsets of the values of a table, by path; "" is the table itself.
+std::map<std::string, std::size_t> places_in(std::string_view json, const flatbuffers::StructDef& table);
 
 }  // namespace vbgpd

@@ -16,8 +16,6 @@ namespace {
 namespace fb = flatbuffers;
 namespace schema = exchange;  // the namespace flatc writes
 
-constexpr std::array<std::string_view, 4> kKinds{"free", "fixed", "roller",
-                                                 "velocity"};  // in the order of BoundaryKind
 constexpr std::array<std::string_view, 2> kUnits{"SI", "kPa"};
 constexpr const char* kUnitsHelp = "write \"SI\" (m, Pa, N/m3) or \"kPa\" (m, kPa, kN/m3)";
 
@@ -107,10 +105,10 @@ class Reader {
     take(from.friction_angle(), b.friction_angle);
     std::string kind;
     take(from.kind(), where + ".kind", kind);
-    for (std::size_t i = 0; i < kKinds.size(); ++i)
-      if (kind == kKinds[i]) return void(b.kind = static_cast<BoundaryKind>(i));
+    for (std::size_t i = 0; i < kBoundaryKinds.size(); ++i)
+      if (kind == kBoundaryKinds[i]) return void(b.kind = static_cast<BoundaryKind>(i));
     const std::string fault = kind.empty() ? " is missing" : " \"" + kind.substr(0, 64) + "\" is not known";
-    problem(where + ".kind" + fault + ": use one of " + list_text(kKinds) + suggestion_text(kind, kKinds));
+    problem(where + ".kind" + fault + ": use one of " + list_text(kBoundaryKinds) + suggestion_text(kind, kBoundaryKinds));
   }
 
   void read(const schema::Load& from, const std::string&, LoadDef& load) {
@@ -235,7 +233,7 @@ class Writer {
   }
   fb::Offset<schema::Boundary> write_one(const BoundaryDef& b) {
     const auto name = text(b.name), side = text(b.side),
-               kind = text(std::string(kKinds[static_cast<std::size_t>(b.kind)]));
+               kind = text(std::string(kBoundaryKinds[static_cast<std::size_t>(b.kind)]));
     return schema::CreateBoundary(out_, name, side, points(b.polyline), kind, b.vx, b.vy, present(b.friction_angle));
   }
   fb::Offset<schema::Load> write_one(const LoadDef& load) {

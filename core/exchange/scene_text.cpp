@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstdio>
+#include <utility>
 
 #include "base/error.h"
 #include "exchange/json_check.h"
@@ -49,19 +52,15 @@ fb::IDLOptions strict_options() {
   return options;
 }
 
-/// The parser says "3: 17: error: expecting: } instead got: ]"; we say "FILE:3:17: expected }, found ]".
-std::string parser_message(std::string said, const std::string& source) {
+/// The parser says "3: 17: error: illegal UTF-8 sequence", or a sentence without a place.
+SceneFault parser_fault(std::string said) {
   if (const auto tail = said.find(", originally at:"); tail != said.npos) said.resize(tail);
-  const auto reword = [&](std::string_view from, std::string_view to) {
-    if (const auto at = said.find(from); at != said.npos) said.replace(at, from.size(), to);
-  };
-  reword("expecting: ", "expected ");
-  reword(" instead got: ", ", found ");
-  const auto line_end = said.find(": "), column_end = said.find(": error: ");
-  if (column_end == said.npos || line_end >= column_end) return source + ": " + said;
-  reword(": error: ", ": ");
-  reword(": ", ":");
-  return source + ":" + said;
+  SceneFault fault;
+  const std::size_t error = said.find(": error: ");
+  if (error == said.npos || std::sscanf(said.c_str(), "%zu: %zu", &fault.position.line, &fault.position.column) != 2)
+    fault.text = said;
+  else fault.text = said.substr(error + std::string_view(": error: ").size());
+  return fault;
 }
 
 /// Parses the schema, so that its description of a scene can be looked at.
@@ -78,8 +77,9 @@ class Schema {
   fb::Parser parser_;
 };
 
-std::vector<std::uint8_t> parsed(fb::Parser& parser, const std::string& text, const std::string& source) {
-  if (!parser.ParseJson(text.c_str())) throw Error(Status::kFormat, parser_message(parser.error_, source));
+/// Nothing where the parser refuses the text.
+std::vector<std::uint8_t> parsed(fb::Parser& parser, const std::string& text) {
+  if (!parser.ParseJson(text.c_str())) return {};
   const std::uint8_t* bytes = parser.builder_.GetBufferPointer();
   return {bytes, bytes + parser.builder_.GetSize()};
 }
@@ -87,24 +87,32 @@ std::vector<std::uint8_t> parsed(fb::Parser& parser, const std::string& text, co
 /// What is left when everything at fault is taken out; nothing where that is no scene either.
 std::vector<std::uint8_t> remainder(Schema& schema, const TextCheck& check) {
   const auto misleads = [](const TextProblem& p) { return p.path == "units"; };  // every number depends on it
-  if (std::any_of(check.problems.begin(), check.problems.end(), misleads)) return {};
+  if (!check.is_json || std::any_of(check.problems.begin(), check.problems.end(), misleads)) return {};
   schema.parser().opts.skip_unexpected_fields_in_json = true;
-  try {
-    return parsed(schema.parser(), check.mended, "");
-  } catch (const Error&) {
-    return {};
+  return parsed(schema.parser(), check.mended);
+}
+
+/// "materials[1]" of "materials[1].cohesion", "seismic" of "seismic.kh".
+std::string_view object_of(std::string_view path) { return path.substr(0, path.find('.')); }
+
+std::string_view field_of(std::string_view path) { return path.substr(path.find_last_of('.') + 1); }
+
+/// "materials[1]" holds "materials[1]" and "materials[1].cohesion".
+bool holds(std::string_view outer, std::string_view path) {
+  if (!path.starts_with(outer)) return false;
+  const std::string_view rest = path.substr(outer.size());
+  return rest.empty() || rest.front() == '.' || rest.front() == '[';
+}
+
+/// Whether a word, with nothing of a longer one around it, is in a sentence.
+bool names(std::string_view sentence, std::string_view word) {
+  const auto goes_on = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t at = 0; !word.empty() && (at = sentence.find(word, at)) != sentence.npos; ++at) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !goes_on(sentence[at - 1])) && (end == sentence.size() || !goes_on(sentence[end]))) return true;
   }
+  return false;
 }
-
-/// "materials[1]" of "materials[1].cohesion"; a setting of the scene ("spacing", "seismic.kh") stands alone.
-std::string_view object_of(std::string_view path) {
-  constexpr std::array<std::string_view, 3> kSettings{"numerics", "seismic", "strength_reduction"};
-  const std::string_view first = path.substr(0, path.find('.'));
-  if (std::find(kSettings.begin(), kSettings.end(), first) != kSettings.end()) return path;
-  return first;
-}
-
-std::string_view list_of(std::string_view object) { return object.substr(0, object.find('[')); }
 
 /// "[3]" of "vertex 3 lies on edge 5", "vertices 3 and 4 are", "edges 3 and 7 cross", else nothing.
 std::string corner_of(std::string_view sentence) {
@@ -116,6 +124,20 @@ std::string corner_of(std::string_view sentence) {
   return {};
 }
 
+/// Where a file has what the engine calls by these names.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kScenePaths{{
+    {"kh", "seismic.kh"},
+    {"kv", "seismic.kv"},
+    {"srf_min", "strength_reduction.srf_min"},
+    {"srf_max", "strength_reduction.srf_max"},
+    {"srf_tolerance", "strength_reduction.tolerance"},
+    {"water_unit_weight", "water.unit_weight"},
+    {"bond", "numerics.bond"},
+    {"kernel", "numerics.kernel"},
+    {"smoothing_ratio", "numerics.smoothing_ratio"},
+    {"jitter", "numerics.jitter"},
+}};
+
 /// "materials[1].cohesion" of "materials[1] 'sand': cohesion = -1 Pa: must be >= 0".
 std::string path_of(std::string_view issue) {
   std::size_t end = std::min(issue.find(": "), issue.size());
@@ -126,12 +148,45 @@ std::string path_of(std::string_view issue) {
   if (const std::string corner = corner_of(issue); !corner.empty())
     return path + (path.starts_with("layers[") ? ".polygon" : "") + corner;
   if (path != "scene") return path.append(".").append(word);
-  if (word == "kh" || word == "kv") return std::string("seismic.").append(word);
-  if (word.starts_with("srf_"))
-    return std::string("strength_reduction.").append(word == "srf_tolerance" ? word.substr(4) : word);
-  for (const std::string_view name : {"bond", "kernel", "smoothing_ratio", "jitter"})
-    if (word == name) return std::string("numerics.").append(word);
-  return std::string(word);
+  const auto named = std::find_if(kScenePaths.begin(), kScenePaths.end(), [&](auto& p) { return p.first == word; });
+  return std::string(named == kScenePaths.end() ? word : named->second);
+}
+
+/// Whether what is said about a value can only be said with a sound outline.
+bool needs_outline(std::string_view path) {
+  if (path.starts_with("layers")) return field_of(path) != "material";
+  if (path.starts_with("boundaries[")) return field_of(path) == "point";
+  if (path.starts_with("loads[")) return field_of(path) == "from";
+  return path.starts_with("water");
+}
+
+/// Line and column of bytes asked for in order.
+class Positions {
+ public:
+  explicit Positions(std::string_view text) : text_(text) {}
+  TextPosition of(std::size_t offset) {
+    for (; done_ < std::min(offset, text_.size()); ++done_) {
+      const bool first_byte = (static_cast<unsigned char>(text_[done_]) & 0xC0) != 0x80;
+      if (text_[done_] == '\n') ++at_.line, at_.column = 1;
+      else if (first_byte) ++at_.column;
+    }
+    return at_;
+  }
+
+ private:
+  std::string_view text_;
+  std::size_t done_ = 0;
+  TextPosition at_{1, 1};
+};
+
+/// The innermost thing in `places` that holds a value; nowhere when that is the scene itself.
+std::size_t nearest_place(std::string path, const std::map<std::string, std::size_t>& places) {
+  for (;;) {
+    if (const auto found = places.find(path); found != places.end() && !path.empty()) return found->second;
+    const std::size_t end = path.find_last_of(".[");
+    if (end == path.npos) return path.npos;
+    path.resize(end);
+  }
 }
 
 }  // namespace
@@ -141,34 +196,58 @@ SceneText read_scene_text(std::string_view json, const std::string& source_name)
   Schema schema;
   const TextCheck check = check_json(text, schema.scene());
   SceneText scene;
-  for (const TextProblem& p : check.problems) scene.faults.push_back({position(text, p.offset), p.path, p.text});
-  scene.bytes = check.problems.empty() ? parsed(schema.parser(), text, source_name) : remainder(schema, check);
+  Positions positions(text);
+  for (const TextProblem& p : check.problems)
+    scene.faults.push_back({positions.of(p.offset), p.path, p.text, p.harmless});
+  if (!scene.faults.empty()) {
+    scene.bytes = remainder(schema, check);
+  } else if (scene.bytes = parsed(schema.parser(), text); scene.bytes.empty()) {
+    scene.faults.push_back(parser_fault(schema.parser().error_));
+  }
   return scene;
 }
 
 std::vector<std::uint8_t> scene_text_to_flatbuffer(std::string_view json, const std::string& source_name) {
+  constexpr std::size_t kMost = 20;
   SceneText scene = read_scene_text(json, source_name);
-  std::string faults;
-  for (const SceneFault& fault : scene.faults)
-    faults += (faults.empty() ? "" : "\n") + source_name + ":" + fault.position.text() + ": " + fault.text;
-  if (!faults.empty()) throw Error(Status::kFormat, faults);
+  const std::size_t count = scene.faults.size();
+  std::string lines;
+  for (std::size_t i = 0; i < std::min(count, kMost); ++i) {
+    const SceneFault& fault = scene.faults[i];
+    const std::string place = fault.position.line == 0 ? "" : ":" + fault.position.text();
+    lines += (i == 0 ? "" : "\n") + source_name + place + ": " + fault.text;
+  }
+  if (count > kMost) lines += "\n" + source_name + ": and " + std::to_string(count - kMost) + " more";
+  if (count > 0) throw Error(Status::kFormat, lines);
   return std::move(scene.bytes);
 }
 
-TextPosition issue_position(std::string_view issue, std::string_view json) {
+std::vector<TextPosition> issue_positions(std::span<const std::string> issues, std::string_view json) {
   const std::string text(plain_text(json, ""));
-  return position(text, place_of(path_of(issue), text, Schema().scene()));
+  const auto places = places_in(text, Schema().scene());
+  std::vector<std::pair<std::size_t, std::size_t>> found;  // place, issue
+  for (std::size_t i = 0; i < issues.size(); ++i)
+    if (const std::size_t place = nearest_place(path_of(issues[i]), places); place != std::string::npos)
+      found.emplace_back(place, i);
+  std::sort(found.begin(), found.end());
+  std::vector<TextPosition> result(issues.size());
+  Positions positions(text);
+  for (const auto& [place, i] : found) result[i] = positions.of(place);
+  return result;
 }
 
 bool may_follow_from(std::string_view issue, const SceneFault& fault) {
+  if (fault.harmless) return false;
   const std::string path = path_of(issue);
-  const std::string_view object = object_of(path), faulty = object_of(fault.path);
-  const std::string_view list = list_of(object), faulty_list = list_of(faulty);
-  if (object == faulty) return true;
-  if (list == faulty_list && (object == list || faulty == faulty_list)) return true;  // a list that is not there
-  if (faulty == "profile") return list != "materials";
-  const bool names_soil = fault.path == faulty || fault.path.ends_with(".name");
-  return faulty_list == "materials" && names_soil && path.ends_with(".material");
+  if (holds(path, fault.path) || holds(fault.path, path)) return true;
+  const std::string_view said = issue.substr(std::min(issue.find(": "), issue.size()));
+  if (object_of(path) == object_of(fault.path) && names(said, field_of(fault.path))) return true;
+  if (fault.path.starts_with("profile") && needs_outline(path)) return true;
+  const bool other_end = field_of(path) == "pressure_end" && field_of(fault.path) == "pressure";  // its default
+  if (other_end && object_of(path) == object_of(fault.path)) return true;
+  const bool soil_unknown = fault.path.starts_with("materials") &&
+                            (field_of(fault.path) == "name" || fault.path.find('.') == fault.path.npos);
+  return soil_unknown && path.starts_with("layers[") && field_of(path) == "material";
 }
 
 }  // namespace vbgpd

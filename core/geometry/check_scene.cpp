@@ -98,6 +98,7 @@ class LayerChecker {
   }
 
   void bare(const Painted& painted) {
+    if (scene_.layers.empty()) return;  // said already
     Issue issue = issue_of(Severity::kError, ObjectKind::kProfile, 0);
     issue.object_id = -1;
     issue.value = painted.bare;

@@ -1,7 +1,9 @@
 // What the user says: plain data, SI units, angles in degrees. Nothing here computes anything.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -41,6 +43,7 @@ struct LayerDef {
 };
 
 enum class BoundaryKind { kFree, kFixed, kRoller, kVelocity };
+inline constexpr std::array<std::string_view, 4> kBoundaryKinds{"free", "fixed", "roller", "velocity"};
 
 /// How a piece of the outline is held. Either `side` or `polyline` is given.
 struct BoundaryDef {

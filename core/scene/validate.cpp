@@ -24,12 +24,12 @@ constexpr int kPointsReported = 10;  // of one polygon; a file of garbage coordi
 std::string quoted(std::string_view text) { return std::string("\"").append(text).append("\""); }
 
 std::string range_text(const Property& p, Units units) {
-  const auto number_text = [&](double v) { return vbgpd::number_text(in_units(v, p.unit, units)); };
+  const auto end = [&](double v) { return number_text(in_units(v, p.unit, units)); };
   const bool below = std::isfinite(p.min_value), above = std::isfinite(p.max_value);
   if (below && above)
-    return std::string("in ") + (p.min_open ? "(" : "[") + number_text(p.min_value) + ", " + number_text(p.max_value) +
+    return std::string("in ") + (p.min_open ? "(" : "[") + end(p.min_value) + ", " + end(p.max_value) +
            (p.max_open ? ")" : "]");
-  return (p.min_open ? "> " : ">= ") + number_text(p.min_value);
+  return (p.min_open ? "> " : ">= ") + end(p.min_value);
 }
 
 bool in_range(const Property& p, double v) {
@@ -130,11 +130,10 @@ void check_points(const Polygon& points, const std::string& name, Report& report
 }
 
 void check_corners(const Polygon& polygon, const std::string& name, Report& report) {
-  if (const std::size_t n = corner_count(polygon); n < 3)
-    report
-        .error(Status::kGeometry,
-               name + " has " + std::to_string(n) + (n == 1 ? " vertex" : " vertices") + ": an area needs at least 3")
-        .item = 0;
+  if (const std::size_t n = corner_count(polygon); n < 3) {
+    const std::string corners = std::to_string(n) + (n == 1 ? " vertex" : " vertices");
+    report.error(Status::kGeometry, name + " has " + corners + ": an area needs at least 3").item = 0;
+  }
   check_points(polygon, name, report);
 }
 
@@ -162,14 +161,14 @@ void check_plausible(const MaterialDef& m, Report& report) {
          kilo ? "is less than any soil weighs: " + usual(15000, 25000, "N m-3")
               : "looks like " + number_text(m.unit_weight) + " kN/m3: with units SI write " +
                     number_text(1000 * m.unit_weight) + ", or set units to kPa");
-  if (m.unit_weight >= 1e6 && kilo)
+  if (m.unit_weight >= 1e6 && kilo && std::isfinite(m.unit_weight))
     warn("unit_weight", m.unit_weight, "N m-3",
          "looks like " + number_text(m.unit_weight / 1000) + " N/m3: with units kPa write " +
              number_text(m.unit_weight / 1e6) + ", or set units to SI");
-  else if (m.unit_weight > 50000)
+  else if (m.unit_weight > 50000 && std::isfinite(m.unit_weight))
     warn("unit_weight", m.unit_weight, "N m-3", "is more than any soil weighs: " + usual(15000, 25000, "N m-3"));
   check_friction_angle(m.friction_angle, "soil", report);
-  if (m.cohesion > 1e7)
+  if (m.cohesion > 1e7 && std::isfinite(m.cohesion))
     warn("cohesion", m.cohesion, "Pa",
          kilo ? "is that of concrete; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI"
               : "is that of concrete");

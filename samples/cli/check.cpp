@@ -77,7 +77,7 @@ std::string boundary_text(const Scene& scene, std::int64_t boundary) {
   const auto value = [&](const char* name) { return number(profile, VBGPD_OBJECT_BOUNDARY, boundary, name); };
   const auto word = [&](const char* name) { return text(profile, VBGPD_OBJECT_BOUNDARY, boundary, name); };
   const std::string side = word("side"), name = word("name");
-  const std::string kind = scene.boundary_kinds.at(static_cast<std::size_t>(boundary));
+  const std::string kind = word("kind");
   std::string line = (side.empty() ? "line" + (name.empty() ? "" : " '" + name + "'") : side) + " " + kind;
   if (kind == "velocity") line += " (" + plain_number(value("vx"), 4) + ", " + plain_number(value("vy"), 4) + ") m/s";
   const double friction = value("friction_angle");

@@ -22,25 +22,16 @@ int grid_count(const FosOptions& options) {
   return options.levels.value_or(options.target_error || options.budget ? 0 : kDefault);
 }
 
-void apply(const FosOptions& options, vbgpd_profile* profile) {
-  const auto accept = [&](const char* option, vbgpd_status status) {
-    if (status < 0) throw BadInput(option, errors_of(error_text(profile)));
-  };
-  const auto set = [&](const char* option, const char* name, double value) {
-    accept(option, vbgpd_profile_set_f64(profile, VBGPD_OBJECT_PROFILE, -1, name, VBGPD_STRLEN, value));
-  };
-  if (options.spacing) set("--spacing", "spacing", *options.spacing);
-  if (options.tolerance) set("--tolerance", "srf_tolerance", *options.tolerance);
-  if (!options.scheme) return;
-  const char* scheme = options.scheme->c_str();
-  accept("--scheme",
-         vbgpd_profile_set_text(profile, VBGPD_OBJECT_PROFILE, -1, "bond", VBGPD_STRLEN, scheme, VBGPD_STRLEN));
+void apply(const FosOptions& options, Scene& scene) {
+  if (options.spacing) set_number(scene, "--spacing", "spacing", *options.spacing);
+  if (options.tolerance) set_number(scene, "--tolerance", "srf_tolerance", *options.tolerance);
+  if (options.scheme) set_text(scene, "--scheme", "bond", *options.scheme);
 }
 
 /// The scene with the options applied and no error left in it; its warnings are said at once.
 Scene load(vbgpd_context* context, const FosOptions& options, std::vector<std::string>& warnings) {
   Scene scene = read_scene(context, options.scene);
-  apply(options, scene.profile.get());
+  apply(options, scene);
   const std::vector<Issue> issues = validate(scene);
   if (has_error(issues)) throw BadInput(options.scene, issues);
   print_issues(issues, options.scene);

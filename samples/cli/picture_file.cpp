@@ -63,17 +63,17 @@ std::vector<picture::Load> loads(const vbgpd_profile* profile) {
   return list;
 }
 
-std::vector<picture::Support> supports(const Scene& scene, const picture::Polyline& exterior) {
+std::vector<picture::Support> supports(const vbgpd_profile* profile, const picture::Polyline& exterior) {
   using picture::Hold;
-  if (scene.boundary_kinds.empty())  // the engine's own choice, see vbgpd_profile_add_boundary
+  const std::int64_t boundaries = count(profile, VBGPD_OBJECT_BOUNDARY);
+  if (boundaries == 0)  // the engine's own choice, see vbgpd_profile_add_boundary
     return {{Hold::kFixed, side_of(exterior, "base")},
             {Hold::kRoller, side_of(exterior, "left")},
             {Hold::kRoller, side_of(exterior, "right")}};
-  const vbgpd_profile* profile = scene.profile.get();
   std::vector<picture::Support> list;
-  for (std::size_t i = 0; i < scene.boundary_kinds.size(); ++i) {
-    const auto id = static_cast<std::int64_t>(i);
-    const std::string kind = scene.boundary_kinds[i], side = text(profile, VBGPD_OBJECT_BOUNDARY, id, "side");
+  for (std::int64_t id = 0; id < boundaries; ++id) {
+    const auto word = [&](const char* name) { return text(profile, VBGPD_OBJECT_BOUNDARY, id, name); };
+    const std::string kind = word("kind"), side = word("side");
     if (kind == "free") continue;
     list.push_back({kind == "fixed"    ? Hold::kFixed
                     : kind == "roller" ? Hold::kRoller
@@ -132,7 +132,7 @@ picture::Sheet section_sheet(const Scene& scene) {
   sheet.exterior = polyline(polygon(profile, VBGPD_OBJECT_PROFILE, 0));
   sheet.materials = materials(profile);
   sheet.layers = layers(profile, sheet.materials);
-  sheet.supports = supports(scene, sheet.exterior);
+  sheet.supports = supports(scene.profile.get(), sheet.exterior);
   sheet.loads = loads(profile);
   sheet.water = polyline(water_table(profile));
   sheet.kh = number(profile, VBGPD_OBJECT_PROFILE, 0, "kh");

@@ -34,10 +34,7 @@ void write_file(const std::filesystem::path& file, const std::string& bytes) {
 
 Scene load(vbgpd_context* context, const RunOptions& options, std::vector<std::string>& warnings) {
   Scene scene = read_scene(context, options.scene);
-  vbgpd_profile* profile = scene.profile.get();
-  if (options.spacing &&
-      vbgpd_profile_set_f64(profile, VBGPD_OBJECT_PROFILE, -1, "spacing", VBGPD_STRLEN, *options.spacing) < 0)
-    throw BadInput("--spacing", errors_of(error_text(profile)));
+  if (options.spacing) set_number(scene, "--spacing", "spacing", *options.spacing);
   const std::vector<Issue> issues = validate(scene);
   if (has_error(issues)) throw BadInput(options.scene, issues);
   print_issues(issues, options.scene);

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "bad_input.h"
@@ -20,6 +19,8 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 64u
                                         << 20;  // a scene is a few kB; this keeps a wrong file from filling the memory
+
+constexpr std::size_t kMostLines = 100;  // of one file; more help nobody
 
 std::string read_text_file(const std::string& file) {
   namespace fs = std::filesystem;
@@ -40,15 +41,6 @@ std::string read_text_file(const std::string& file) {
   return text;
 }
 
-/// Of a text that has already been accepted as a scene.
-std::vector<std::string> boundary_kinds(const std::string& text) {
-  std::vector<std::string> kinds;
-  const auto scene = nlohmann::json::parse(text, nullptr, false, true);
-  if (!scene.is_object() || !scene.contains("boundaries")) return kinds;
-  for (const auto& boundary : scene["boundaries"]) kinds.push_back(boundary.value("kind", "fixed"));
-  return kinds;
-}
-
 Profile profile_of(vbgpd_context* context, const std::vector<std::uint8_t>& bytes, const std::string& file) {
   vbgpd_profile* profile = nullptr;
   const auto size = static_cast<std::int64_t>(bytes.size());
@@ -58,10 +50,10 @@ Profile profile_of(vbgpd_context* context, const std::vector<std::uint8_t>& byte
 }
 
 std::vector<Issue> with_positions(std::vector<Issue> issues, const std::string& text) {
-  for (Issue& issue : issues) {
-    const vbgpd::TextPosition at = vbgpd::issue_position(issue.text, text);
-    issue.line = at.line, issue.column = at.column;
-  }
+  std::vector<std::string> texts;
+  for (const Issue& issue : issues) texts.push_back(issue.text);
+  const std::vector<vbgpd::TextPosition> at = vbgpd::issue_positions(texts, text);
+  for (std::size_t i = 0; i < issues.size(); ++i) issues[i].line = at[i].line, issues[i].column = at[i].column;
   return issues;
 }
 
@@ -105,14 +97,37 @@ Scene read_scene(vbgpd_context* context, const std::string& file) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& fault) {
-    throw BadInput(file, errors_of(fault.what()));
+    const std::string said = fault.what(), subject = file + ": ";
+    throw BadInput(file, errors_of(said.compare(0, subject.size(), subject) == 0 ? said.substr(subject.size()) : said));
   }
   if (!scene.faults.empty()) throw BadInput(file, all_errors(context, scene, text, file));
-  return {profile_of(context, scene.bytes, file), boundary_kinds(text), std::move(text)};
+  return {profile_of(context, scene.bytes, file), std::move(text), {}};
+}
+
+void set_number(Scene& scene, const char* option, const char* name, double value) {
+  vbgpd_profile* profile = scene.profile.get();
+  if (vbgpd_profile_set_f64(profile, VBGPD_OBJECT_PROFILE, -1, name, VBGPD_STRLEN, value) < 0)
+    throw BadInput(option, errors_of(error_text(profile)));
+  scene.options[name] = option;
+}
+
+void set_text(Scene& scene, const char* option, const char* name, const std::string& value) {
+  vbgpd_profile* profile = scene.profile.get();
+  if (vbgpd_profile_set_text(profile, VBGPD_OBJECT_PROFILE, -1, name, VBGPD_STRLEN, value.c_str(), VBGPD_STRLEN) < 0)
+    throw BadInput(option, errors_of(error_text(profile)));
+  scene.options[name] = option;
 }
 
 std::vector<Issue> validate(const Scene& scene) {
-  return in_order(with_positions(validate(scene.profile.get()), scene.text));
+  std::vector<Issue> issues = with_positions(validate(scene.profile.get()), scene.text);
+  for (Issue& issue : issues)
+    for (const auto& [name, option] : scene.options) {
+      const std::string subject = "scene: " + name + " ";
+      if (issue.text.compare(0, subject.size(), subject) != 0) continue;
+      issue.text.replace(0, 5, option);  // nothing of it is in the file
+      issue.line = issue.column = 0;
+    }
+  return in_order(std::move(issues));
 }
 
 Model create_model(vbgpd_context* context, const vbgpd_profile* profile, const std::string& file) {
@@ -134,10 +149,12 @@ std::vector<Issue> errors_of(const std::string& text) {
 std::vector<std::string> lines(const std::vector<Issue>& issues, const std::string& file) {
   std::vector<std::string> result;
   for (const Issue& issue : issues) {
-    const bool names_file =
-        issue.text.compare(0, file.size(), file) == 0;  // the parser's messages begin with file:line:column
+    if (result.size() == kMostLines) {
+      result.push_back(file + format(": and %zu more", issues.size() - kMostLines));
+      break;
+    }
     const std::string place = file + (issue.line == 0 ? "" : format(":%zu:%zu", issue.line, issue.column));
-    result.push_back(names_file ? issue.text : place + (issue.error ? ": error: " : ": warning: ") + issue.text);
+    result.push_back(place + (issue.error ? ": error: " : ": warning: ") + issue.text);
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // A scene file as a profile of the engine.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,18 @@ namespace cli {
 
 struct Scene {
   Profile profile;
-  std::vector<std::string>
-      boundary_kinds;  ///< "fixed", "roller" ... by boundary id; the engine does not tell them back
-  std::string text;    ///< of the file
+  std::string text;                            ///< of the file
+  std::map<std::string, std::string> options;  ///< numbers and names that the command line gives instead, and how
 };
 
 /// Reads a scene file. Throws BadInput with all that is wrong: no such file, not readable, not text, not JSON, not a
 /// scene; where the text has faults, also what the engine has to say about the rest of the scene.
 Scene read_scene(vbgpd_context* context, const std::string& file);
+
+/// A number of the command line ("--spacing") in place of the file's. Throws BadInput.
+void set_number(Scene& scene, const char* option, const char* name, double value);
+/// A name likewise.
+void set_text(Scene& scene, const char* option, const char* name, const std::string& value);
 
 /// What the engine has to say about a scene, with the places in its file.
 std::vector<Issue> validate(const Scene& scene);

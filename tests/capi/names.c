@@ -52,13 +52,15 @@ static void texts(vbgpd_profile* p) {
   } all[] = {{VBGPD_OBJECT_PROFILE, "name", "a"},       {VBGPD_OBJECT_PROFILE, "source", "b"},
              {VBGPD_OBJECT_PROFILE, "bond", "none"},    {VBGPD_OBJECT_PROFILE, "kernel", "cubic_spline"},
              {VBGPD_OBJECT_MATERIAL, "law", "elastic"}, {VBGPD_OBJECT_BOUNDARY, "name", "rock"},
-             {VBGPD_OBJECT_BOUNDARY, "side", "left"}};
+             {VBGPD_OBJECT_BOUNDARY, "side", "left"},   {VBGPD_OBJECT_BOUNDARY, "kind", "roller"}};
   size_t i;
   for (i = 0; i < sizeof all / sizeof all[0]; ++i) {
     CHECK_OK(vbgpd_profile_set_text(p, all[i].kind, 0, all[i].name, VBGPD_STRLEN, all[i].value, VBGPD_STRLEN));
     CHECK(strcmp(text_of(p, all[i].kind, 0, all[i].name), all[i].value) == 0);
   }
   CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_profile_set_text(p, VBGPD_OBJECT_LOAD, 0, "name", 4, "x", 1));
+  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_profile_set_text(p, VBGPD_OBJECT_BOUNDARY, 0, "kind", 4, "rollr", 5));
+  CHECK(strcmp(text_of(p, VBGPD_OBJECT_BOUNDARY, 0, "kind"), "roller") == 0);
 }
 
 static void layers_follow_their_material(vbgpd_profile* p) {

@@ -7,7 +7,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const std::string_view text{reinterpret_cast<const char*>(data), size};
     const auto scene = vbgpd::read_scene_text(text, "fuzz");
-    for (const auto& fault : scene.faults) vbgpd::issue_position("scene: " + fault.path, text);
+    std::vector<std::string> issues;
+    for (const auto& fault : scene.faults) issues.push_back("scene: " + fault.path);
+    vbgpd::issue_positions(issues, text);
     if (!scene.bytes.empty()) vbgpd::scene_from_flatbuffer(scene.bytes);
   } catch (const vbgpd::Error&) {
   }

@@ -206,7 +206,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_water_table(const vbgpd_profile*
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_f64(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double value);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_f64(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, double* value);
 /* Named texts: PROFILE "name", "source", "bond" (virtual_bond | none; run-outs also sph | sph_artificial_stress | pseudo_spring | gpd), "kernel" (wendland_c2 | cubic_spline);
- * MATERIAL "name", "law" (elastic | drucker_prager | mohr_coulomb | undrained); LAYER "material"; BOUNDARY "name", "side". */
+ * MATERIAL "name", "law" (elastic | drucker_prager | mohr_coulomb | undrained); LAYER "material"; BOUNDARY "name", "side", "kind" (free | fixed | roller | velocity). */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_text(vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, const char* value, int64_t value_len);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_get_text(const vbgpd_profile*, int32_t object_kind, int64_t id, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 /* How many materials, layers, loads, boundaries (PROFILE: 1). */
@@ -216,7 +216,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_count(const vbgpd_profile*, int3
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_polygon(const vbgpd_profile*, int32_t object_kind, int64_t id, double* xy, int64_t stride, int64_t cap, int64_t* n);
 /* Finds every fault, not the first: *errors of them forbid a model, *warnings do not. Errors do not make the call fail. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_validate(vbgpd_profile*, int64_t* errors, int64_t* warnings);
-/* Issue i of the last _validate, errors and warnings in the order found; VBGPD_END_OF_DATA past the last. */
+/* Issue i of the last _validate, errors and warnings in the order found; VBGPD_END_OF_DATA past the last. Its text speaks
+ * in the units of the flatbuffer that the profile came from (kPa), info's value like all numbers here in SI. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_issue(const vbgpd_profile*, int64_t i, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
 
 /* ---- model ------------------------------------------------------------------------------------------------ */

@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <clocale>
 #include <cmath>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "exchange/scene_buffer.h"
+#include "scene/properties.h"
 #include "scene/validate.h"
 #include "scene_fixture.h"
 
@@ -139,8 +143,17 @@ TEST(SceneText, RefusesSecondValuesOfAField) {
 }
 
 TEST(SceneText, RefusesWhatOnlyLooksLikeANumber) {
-  for (const char* bad : {"nan", "NaN", "inf", "-inf", "Infinity", "-Infinity", "1e999", "true", "0x10", "+1", "1.2.3",
-                          "rad(180)", "\"9.81\"", "\"nan\"", "[9.81]", "{\"value\": 9.81}"}) {
+  for (const char* bad : {"nan",      "NaN",
+                          "inf",      "-inf",
+                          "Infinity", "-Infinity",
+                          "1e999",    "true",
+                          "0x10",     "+1",
+                          "1.2.3",    "010",
+                          ".5",       "10.",
+                          "-",        "1e",
+                          "1e+",      "rad(180)",
+                          "\"9.81\"", "\"nan\"",
+                          "[9.81]",   "{\"value\": 9.81}"}) {
     const std::string said = refusal(scene_text(std::string("\"gravity\": ") + bad + ", "));
     EXPECT_EQ(said.find("a.json:6:14: gravity: "), 0u) << bad << ": " << said;
   }
@@ -204,9 +217,11 @@ TEST(SceneText, KeepsNothingWhereTheUnitsAreInDoubt) {
 
 TEST(SceneText, KnowsWhereAnIssueIs) {
   const std::string text = scene_text(R"("seismic": {"kv": 0, "kh": 7}, "numerics": {"jitter": 8},
-    "strength_reduction": {"tolerance": 9}, "water": {"table": [{"x": 0, "y": 0}, {"y": 0, "x": 99}]}, )");
+    "strength_reduction": {"tolerance": 9},
+    "water": {"table": [{"x": 0, "y": 0}, {"y": 0, "x": 99}], "unit_weight": 3}, )");
   const auto there = [&](const char* issue) {
-    const TextPosition at = issue_position(issue, text);
+    const TextPosition at = issue_positions(std::vector<std::string>{issue}, text).at(0);
+    if (at.line == 0) return std::string("nowhere");
     std::size_t line = 0;
     for (std::size_t n = 1; n < at.line; ++n) line = text.find('\n', line) + 1;
     return text.substr(line + at.column - 1, 7);
@@ -220,9 +235,90 @@ TEST(SceneText, KnowsWhereAnIssueIs) {
   EXPECT_EQ(there("scene: spacing = 0.5 m"), "0.5\n}");
   EXPECT_EQ(there("scene: kh = 7: must"), "7}, \"nu");
   EXPECT_EQ(there("scene: jitter = 8: must"), "8},\n   ");
-  EXPECT_EQ(there("scene: srf_tolerance = 9: must"), "9}, \"wa");
+  EXPECT_EQ(there("scene: srf_tolerance = 9: must"), "9},\n   ");
+  EXPECT_EQ(there("scene: water_unit_weight = 3 kN/m3: must"), "3}, \"sp");
   EXPECT_EQ(there("water: table[1]: x = 99 m: must"), "{\"y\": 0");
-  EXPECT_EQ(there("loads[0]: x0 = 8 m"), "{\n  \"na");  // there is no such load: the scene
+  EXPECT_EQ(there("loads[0]: x0 = 8 m"), "nowhere");  // there is no such load
+  EXPECT_EQ(there("scene: gravity = 0 m/s2"), "nowhere");
+}
+
+TEST(SceneText, HasAPlaceForEveryNumberOfAScene) {
+  const std::string text = R"({"gravity": 1, "spacing": 2, "seismic": {"kh": 3, "kv": 4}, "water": {"unit_weight": 5},
+    "numerics": {"smoothing_ratio": 6, "jitter": 7}, "strength_reduction": {"srf_min": 8, "srf_max": 9, "tolerance": 0}})";
+  std::set<TextPosition> places;
+  std::size_t numbers = 0;
+  for (const Property& p : properties()) {
+    if (p.object != ObjectKind::kProfile) continue;
+    ++numbers;
+    const TextPosition at = issue_positions(std::vector{"scene: " + std::string(p.name) + " = 1"}, text).at(0);
+    EXPECT_GT(at.line, 0u) << p.name;
+    places.insert(at);
+  }
+  EXPECT_EQ(places.size(), numbers);
+}
+
+std::vector<std::string> told(const std::string& text) {
+  std::vector<std::string> lines;
+  const SceneText read = read_scene_text(text, "a.json");
+  for (const SceneFault& fault : read.faults) lines.push_back(fault.text);
+  if (read.bytes.empty()) return lines;
+  for (const Issue& issue : validate(scene_from_flatbuffer(read.bytes)))
+    if (issue.severity == Severity::kError &&
+        std::none_of(read.faults.begin(), read.faults.end(),
+                     [&](const SceneFault& fault) { return may_follow_from(issue.text, fault); }))
+      lines.push_back(issue.text);
+  return lines;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(SceneText, TellsFaultsThatHaveNothingToDoWithEachOther) {
+  std::string text = scene_text(R"("gravity": -1, "strength_reduction": {"srf_min": "0.01", "srf_max": 0.05}, )");
+  text.replace(text.find("\"cohesion\": 10"), 14, "\"cohesion\": -1, \"cohesive\": 2, \"poisson_ratio\": 2");
+  text.replace(text.find("{\"x\": 0"), 1, "{\"z\": 3, ");
+  text.replace(text.find("\"friction_angle\": 20"), 20, "\"friction_angle\": \"20\", \"dilatancy_angle\": 5");
+  Lines lines = told(text);
+  for (std::string& line : lines) line.resize(std::min(line.find_first_of(";:"), line.size()));
+  EXPECT_EQ(lines, (Lines{"profile.exterior[0]", "materials[0]", "materials[0].friction_angle",
+                          "strength_reduction.srf_min", "materials[0] 'soil'", "materials[0] 'soil'", "scene"}));
+}
+
+TEST(SceneText, TellsWhereItStopsBeingJsonBesideWhatIsWrongBefore) {
+  EXPECT_EQ(told("{\"units\": 7,\n \"profile\" 3}"),
+            (Lines{"units: expected text in quotes, found 7", "expected :, found 3"}));
+  const Lines lines = told(scene_text("\"gravity\": \"9.81\", ") + " {");
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[1], "expected end of file, found {");
+  EXPECT_EQ(told("{\"name\": \"a\"").back(), "expected , or }, found end of file");
+}
+
+TEST(SceneText, JudgesTheRestByAllFaultsHoweverMany) {
+  std::string soils = "\"cohesion\": 10", text = scene_text();
+  for (int i = 0; i < 50; ++i) soils += ", \"cohesion\": 10";
+  text.replace(text.find("\"cohesion\": 10"), 14, soils);
+  EXPECT_EQ(told(text).size(), 50u);
+  const std::string said = refusal(text);
+  EXPECT_TRUE(said.ends_with("a.json: and 30 more")) << said;
+  text.replace(text.find("0.5"), 3, "-1");
+  text.replace(text.find("\"units\": \"kPa\","), 15, "");
+  EXPECT_EQ(told(text).size(), 51u);  // no word about the spacing, whose unit is in doubt
+}
+
+TEST(SceneText, MendsObjectsWithoutAnythingButNulls) {
+  std::string text = scene_text("\"boundaries\": [{\"kind\": null}], ");
+  text.replace(text.find("0.5"), 3, "-1 ");
+  const Lines lines = told(text);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[2].substr(0, 18), "scene: spacing = -");
+}
+
+TEST(SceneText, ReadsEscapesLikeWhatTheyStandFor) {
+  EXPECT_EQ(refusal(scene_text(R"("boundaries": [{"side": "base", "kind": "\u0066ixed"}], "\u0067ravity": 1, )")), "");
+  EXPECT_NE(refusal(scene_text(R"("source": "\x41", )")).find("a.json:6:14: JSON has no \\x"), std::string::npos);
+}
+
+TEST(SceneText, TakesNumbersTooSmallToStoreForNothing) {
+  EXPECT_EQ(read(scene_text("\"seismic\": {\"kh\": 1e-400}, ")).kh, 0);
 }
 
 TEST(SceneText, EveryNumberAtFaultExplainsWhatIsThenWrongWithTheScene) {
@@ -243,12 +339,15 @@ TEST(SceneText, EveryNumberAtFaultExplainsWhatIsThenWrongWithTheScene) {
 TEST(SceneText, AFaultExplainsNothingElsewhere) {
   const SceneFault weight{{}, "materials[0].unit_weight", ""}, name{{}, "materials[0].name", ""},
       kv{{}, "seismic.kv", ""}, profile{{}, "profile.exterior[1].x", ""}, layers{{}, "layers", ""};
-  EXPECT_TRUE(may_follow_from("materials[0] 'clay': cohesion is missing", weight));
+  EXPECT_FALSE(may_follow_from("materials[0] 'clay': cohesion is missing", weight));
+  EXPECT_TRUE(may_follow_from("materials[0] 'clay': unit_weight is missing", weight));
   EXPECT_FALSE(may_follow_from("materials[1] 'sand': cohesion is missing", weight));
   EXPECT_FALSE(may_follow_from("layers[0] 'sand': material \"sand\" is not known", weight));
   EXPECT_TRUE(may_follow_from("layers[0] 'sand': material \"sand\" is not known", name));
   EXPECT_FALSE(may_follow_from("layers[0] 'sand': polygon has 2 vertices", name));
-  EXPECT_TRUE(may_follow_from("layers[0] 'sand': polygon has 2 vertices", profile));
+  EXPECT_TRUE(may_follow_from("layers[0] 'sand': lies wholly outside the exterior", profile));
+  EXPECT_FALSE(may_follow_from("scene: spacing = 0 m: must be > 0", profile));
+  EXPECT_FALSE(may_follow_from("materials[0] 'clay': poisson_ratio = 2: must", weight));
   EXPECT_FALSE(may_follow_from("materials[0] 'clay': cohesion is missing", profile));
   EXPECT_TRUE(may_follow_from("layers: the list is empty", layers));
   EXPECT_FALSE(may_follow_from("scene: kh = 2: must be in (-1, 1)", kv));

@@ -147,8 +147,8 @@ TEST(CheckGeometry, SoilWithoutMaterialIsAnErrorWithAPlace) {
   EXPECT_TRUE(issues[0].x > 7 && issues[0].x < 10 && issues[0].y > 6 && issues[0].y < 10);
   add_layer(scene, "top", {{7, 6}, {10, 6}, {10, 10}, {7, 10}});
   EXPECT_TRUE(check_geometry(scene).empty());
-  scene.layers.clear();
-  EXPECT_EQ(errors(check_geometry(scene)), 1);
+  scene.layers.clear();  // validate says so
+  EXPECT_TRUE(check_geometry(scene).empty());
 }
 
 TEST(CheckGeometry, BoundariesMustRunAlongTheExterior) {

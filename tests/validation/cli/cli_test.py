@@ -188,6 +188,18 @@ class BadScenes(ProgramTest):
                   "unknown field \"watr\""]
         self.assertEqual([text[:len(start)] for (_, _, text), start in zip(told, starts, strict=True)], starts)
 
+    def test_values_from_the_command_line_have_no_place_in_the_file(self):
+        said = self.refused("fos", SCENES / "gl_1.json", "--tolerance", "5")
+        self.assertTrue(said.startswith(str(SCENES / "gl_1.json") + ": error: --tolerance: srf_tolerance = 5"), said)
+
+    def test_of_very_many_faults_the_first_hundred_are_told(self):
+        text = (SCENES / "gl_1.json").read_text()
+        bad = self.folder / "s"
+        bad.write_text(text.replace("{", "{" + ", ".join(f'"extra_{i}": {i}' for i in range(150)) + ", ", 1))
+        said = self.refused("check", bad).splitlines()
+        self.assertEqual(len(said), 101)
+        self.assertEqual(said[-1], f"{bad}: and 50 more")
+
     def test_json_output_of_a_bad_scene_is_one_object_that_lists_the_errors(self):
         done = self.run_program("fos", BAD_SCENES / "several_problems.json", "--json", exit_code=2)
         result = json.loads(done.stdout)
