@@ -175,13 +175,14 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
   // The face of soil with next to no cohesion fails as a skin, as thin as the grid allows: half the spacing, half the
   // skin, and nothing that could be extrapolated.
   constexpr double kThinner = 0.85;
-  if (e.status == "OK" && coarse != nullptr && fine.sliding_thickness < kSupport * spacing_of(fine) &&
-      fine.sliding_thickness < kThinner * coarse->sliding_thickness)
-    refuse(e, fine, "THIN_SLIDE", std::max(e.error, kAgain * difference + noise),
-           "the sliding mass is " + number_text(coarse->sliding_thickness, 2) + " m thick, then " +
-               number_text(fine.sliding_thickness, 2) + " m, only " +
-               number_text(fine.sliding_thickness / spacing_of(fine), 2) +
-               " spacings: a skin as thin as the grid allows");
+  const std::string only = number_text(fine.sliding_thickness / spacing_of(fine), 2) + " spacings";
+  if (e.status != "THIN_LAYER" && fine.sliding_thickness < kSupport * spacing_of(fine)) {
+    if (coarse == nullptr) e.reason += "; the sliding mass is only " + only + " thick";
+    else if (fine.sliding_thickness < kThinner * coarse->sliding_thickness)
+      refuse(e, fine, "THIN_SLIDE", std::max(e.error, kAgain * difference + noise),
+             "the sliding mass is " + number_text(coarse->sliding_thickness, 2) + " m thick, then " +
+                 number_text(fine.sliding_thickness, 2) + " m, only " + only + ": a skin as thin as the grid allows");
+  }
   // F_e is a ratio of powers: what the books of the flow leave out may be missing from it
   constexpr double kBooks = 0.01;
   if (fine.energy_residual > kBooks)

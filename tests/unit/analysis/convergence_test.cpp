@@ -157,7 +157,18 @@ TEST(Estimate, ExtrapolatesNoSkinThatIsAsThinAsTheGridAllows) {
   EXPECT_GE(thin.error, 1.5 * (levels.back().factor_of_safety - thick.value));
   EXPECT_NE(thin.reason.find("the sliding mass is 1.6 m thick, then 0.8 m, only 1.6 spacings"), std::string::npos)
       << thin.reason;
-  EXPECT_EQ(estimate({&levels[1], 1}, {}).status, "OK");  // one grid cannot tell
+  const Estimate one = estimate({&levels[1], 1}, {});  // one grid cannot tell whether it gets thinner
+  EXPECT_EQ(one.status, "OK");
+  EXPECT_NE(one.reason.find("the sliding mass is only 1.6 spacings thick"), std::string::npos) << one.reason;
+}
+
+TEST(Estimate, OfASkinIsThatOfASkinHoweverManyGrids) {
+  std::vector<Level> levels = {level(1, 1.4), level(0.5, 1.5), level(0.25, 1.4)};
+  EXPECT_EQ(estimate(levels, {}).status, "NOT_MONOTONIC");
+  for (Level& l : levels) l.sliding_thickness = 1.6 * l.spacing_x;
+  const Estimate thin = estimate(levels, {});
+  EXPECT_EQ(thin.status, "THIN_SLIDE") << thin.reason;
+  EXPECT_EQ(thin.value, levels.back().factor_of_safety);
 }
 
 TEST(Estimate, IsTheMiddleOfAllOrdersWhereTheCoarserGridMissesALayer) {
