@@ -77,14 +77,14 @@ class Lines {
 };
 
 /// What a step along these lines costs, in packs: bonds once for every material in a block, a quarter of it the sums
-/// over particles, padding included.
+/// over particles, padding included. Layers that are switched off count, for the numbering outlives that.
 Real cost_of(const Lines& lines, const Section& section, int width) {
   constexpr Real kSums = 0.25, kOutOfCache = 1.1;
   std::vector<std::uint64_t> materials(static_cast<std::size_t>(lines.storage() / width), 0);
-  for (const Seed& s : section.seeds)
-    if (s.active)
-      materials[static_cast<std::size_t>(lines.at(s) / width)] |= std::uint64_t{1}
-                                                                  << (static_cast<unsigned>(s.material) % 64);
+  for (const Seed& s : section.seeds) {
+    std::uint64_t& there = materials[static_cast<std::size_t>(lines.at(s) / width)];
+    there |= std::uint64_t{1} << (static_cast<unsigned>(s.material) % 64);
+  }
   Real packs = kSums * static_cast<Real>(materials.size());
   for (const std::uint64_t there : materials) packs += __builtin_popcountll(there);
   return lines.longest() > kLongestLine ? kOutOfCache * packs : packs;
