@@ -134,44 +134,6 @@ class Walk {
   }
 
  private:
-  /// Of an object: as written, those with a value, and what misspelt ones were meant to be.
-  struct Keys {
-    std::set<std::string> written, with_value;
-    std::map<std::string, std::size_t> meant;  // and which problem said so
-  };
-
-  bool object(const fb::StructDef& table, const std::string& path) {
-    const std::size_t start = here_;
-    Keys keys;
-    if (!take('{')) return false;
-    for (bool first = true; skip_blank(), peek() != '}'; first = false) {
-      if (!first && !take(',', ", or }")) return false;
-      skip_blank();
-      const std::size_t key_at = here_;
-      std::string_view written;
-      if (!string(written, "a name in quotes")) return false;
-      if (skip_blank(); !take(':')) return false;
-      skip_blank();
-      const std::string key = unescaped(written);
-      const auto* field = table.fields.Lookup(key);
-      const bool again = !keys.written.insert(key).second;
-      if (!field) {
-        const std::string meant = unknown(key, table, path, key_at);
-        keys.meant.emplace(meant, problems.size() - 1);
-      } else {
-        if (!starts("null")) keys.with_value.insert(key);
-        if (again) {
-          const std::string twice = join(path, key);
-          problem(key_at, twice, twice + " is written a second time: keep the value that is meant");
-          mend(key_at, key_at + written.size() + 2, "\"\"");  // a field nobody knows
-        }
-      }
-      if (!(field ? value(field->value.type, join(path, key), field) : skip_value())) return false;
-    }
-    missing(table, keys, path, start);
-    return take('}');
-  }
-
   void skip_blank() {
     while (here_ < json_.size()) {
       if (std::string_view(" \t\r\n").find(peek()) != std::string_view::npos) ++here_;
@@ -179,6 +141,57 @@ class Walk {
       else if (starts("/*")) here_ = std::min(json_.find("*/", here_ + 2), json_.size() - 2) + 2;
       else return;
     }
+  }
+
+  /// The names in the object that begins here, without a word about their values.
+  std::set<std::string> names_ahead() {
+    const std::size_t start = here_, told = problems.size(), faults = faults_;
+    std::set<std::string> names;
+    for (bool first = true, goes_on = take('{'); goes_on; first = false) {
+      std::string_view written;
+      if (skip_blank(), peek() == '}') break;
+      if (!first) goes_on = take(','), skip_blank();
+      goes_on = goes_on && string(written, "") && (skip_blank(), take(':')) && (skip_blank(), skip_value());
+      if (goes_on) names.insert(unescaped(written));
+    }
+    here_ = start, faults_ = faults;
+    problems.resize(told);
+    return names;
+  }
+
+  bool object(const fb::StructDef& table, const std::string& path) {
+    const std::size_t start = here_;
+    const std::set<std::string> all = names_ahead();
+    std::set<std::string> written, with_value;
+    if (!take('{')) return false;
+    for (bool first = true; skip_blank(), peek() != '}'; first = false) {
+      if (!first && !take(',', ", or }")) return false;
+      skip_blank();
+      const std::size_t key_at = here_;
+      std::string_view raw;
+      if (!string(raw, "a name in quotes")) return false;
+      if (skip_blank(); !take(':')) return false;
+      skip_blank();
+      const auto rename = [&](const std::string& name) { mend(key_at, key_at + raw.size() + 2, "\"" + name + "\""); };
+      std::string key = unescaped(raw);
+      if (table.fields.Lookup(key) == nullptr) {
+        const std::string meant = unknown(key, table, path, key_at);
+        if (!meant.empty() && !all.contains(meant) && !written.contains(meant))
+          key = meant, rename(key);  // read as what it is meant to be
+      }
+      const auto* field = table.fields.Lookup(key);
+      if (field != nullptr) {
+        if (!starts("null")) with_value.insert(key);
+        if (!written.insert(key).second) {
+          const std::string twice = join(path, key);
+          problem(key_at, twice, twice + " is written a second time: keep the value that is meant");
+          rename("");  // a field nobody knows
+        }
+      }
+      if (!(field ? value(field->value.type, join(path, key), field) : skip_value())) return false;
+    }
+    missing(table, with_value, all.empty(), path, start);
+    return take('}');
   }
 
   /// `field` is the field whose value this is, null in a list.
@@ -280,7 +293,7 @@ class Walk {
     return take('"', "\" at the end of a text");
   }
 
-  /// Returns the field that was probably meant, so that it is not reported as missing too.
+  /// Returns the field that was probably meant, or "".
   std::string unknown(std::string_view key, const fb::StructDef& table, const std::string& path, std::size_t where) {
     std::vector<std::string_view> names;
     for (const auto* field : table.fields.vec) names.push_back(field->name);
@@ -289,24 +302,22 @@ class Walk {
     problem(where, join(path, nearest.empty() ? key : nearest),
             prefix + "unknown field \"" + std::string(key.substr(0, 64)) + "\"" + suggestion_text(key, names) +
                 " (known here: " + list_text(names) + ")",
-            nearest.empty());
+            kHarmless);
     return std::string(nearest);
   }
 
-  /// What is neither there nor meant by a misspelt name. `start` is the brace that opens the object.
-  void missing(const fb::StructDef& table, const Keys& keys, const std::string& path, std::size_t start) {
+  /// What has no value, though it needs one. `start` is the brace that opens the object, `empty` one without names.
+  void missing(const fb::StructDef& table, const std::set<std::string>& with_value, bool empty, const std::string& path,
+               std::size_t start) {
     std::string added;
-    for (const auto& [field, problem] : keys.meant)
-      if (keys.with_value.contains(field)) problems[problem].harmless = true;
     for (const auto* field : table.fields.vec) {
-      if (!field->attributes.Lookup("needed") || keys.with_value.contains(field->name)) continue;
+      if (!field->attributes.Lookup("needed") || with_value.contains(field->name)) continue;
       if (!choices(*field).empty()) added += "\"" + field->name + "\":" + substitute(*field) + ",";
-      if (keys.meant.contains(field->name)) continue;
       const std::string doc = doc_of(*field);
       problem(start, join(path, field->name),
               join(path, field->name) + " is required" + (doc.empty() ? "" : ": " + doc));
     }
-    if (keys.written.empty() && !added.empty()) added.pop_back();
+    if (empty && !added.empty()) added.pop_back();
     if (!added.empty()) mend(start + 1, start + 1, added);
   }
 

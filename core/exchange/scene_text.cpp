@@ -86,7 +86,9 @@ std::vector<std::uint8_t> parsed(fb::Parser& parser, const std::string& text) {
 
 /// What is left when everything at fault is taken out; nothing where that is no scene either.
 std::vector<std::uint8_t> remainder(Schema& schema, const TextCheck& check) {
-  const auto misleads = [](const TextProblem& p) { return p.path == "units"; };  // every number depends on it
+  const auto misleads = [](const TextProblem& p) {
+    return p.path == "units" && !p.harmless;
+  };  // every number depends on it
   if (!check.is_json || std::any_of(check.problems.begin(), check.problems.end(), misleads)) return {};
   schema.parser().opts.skip_unexpected_fields_in_json = true;
   return parsed(schema.parser(), check.mended);

@@ -283,6 +283,17 @@ TEST(SceneText, TellsFaultsThatHaveNothingToDoWithEachOther) {
                           "strength_reduction.srf_min", "materials[0] 'soil'", "materials[0] 'soil'", "scene"}));
 }
 
+TEST(SceneText, ReadsAMisspeltFieldAsTheOneItIsMeantToBe) {
+  std::string text = scene_text("\"seismc\": {\"kh\": \"a tenth\"}, ");
+  text.replace(text.find("\"cohesion\": 10"), 14, "\"cohesoin\": -10");
+  text.replace(text.find("\"units\""), 7, "\"unit\"");
+  const Lines lines = told(text);
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0].substr(0, 20), "unknown field \"unit\"");
+  EXPECT_EQ(lines[3].substr(0, 33), "seismic.kh: expected a number, fo");
+  EXPECT_EQ(lines[4].substr(0, 39), "materials[0] 'soil': cohesion = -10 kPa");
+}
+
 TEST(SceneText, TellsWhereItStopsBeingJsonBesideWhatIsWrongBefore) {
   EXPECT_EQ(told("{\"units\": 7,\n \"profile\" 3}"),
             (Lines{"units: expected text in quotes, found 7", "expected :, found 3"}));
