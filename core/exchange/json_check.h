@@ -25,7 +25,7 @@ struct TextProblem {
 struct TextCheck {
   std::vector<TextProblem> problems;  ///< in the order of the text
   bool is_json = true;                ///< false: the last problem is where the text stops being JSON
-  std::string mended;                 ///< without the values at fault, misspelt fields as meant, so that the rest can be read
+  std::string mended;  ///< without the values at fault, misspelt fields as meant, so that the rest can be read
 };
 
 /// Holds JSON text against a table of a schema: every name known, every value of the right kind and of those listed
