@@ -121,7 +121,7 @@ std::string corner_of(std::string_view sentence) {
   for (const std::string_view word : {"vertex ", "vertices ", "edges "})
     if (sentence.starts_with(word)) {
       sentence.remove_prefix(word.size());
-      return "[" + std::string(sentence.substr(0, sentence.find_first_not_of("0123456789"))) + "]";
+      return std::string("[").append(sentence.substr(0, sentence.find_first_not_of("0123456789"))).append("]");
     }
   return {};
 }
@@ -216,8 +216,9 @@ std::vector<std::uint8_t> scene_text_to_flatbuffer(std::string_view json, const 
   std::string lines;
   for (std::size_t i = 0; i < std::min(count, kMost); ++i) {
     const SceneFault& fault = scene.faults[i];
-    const std::string place = fault.position.line == 0 ? "" : ":" + fault.position.text();
-    lines += (i == 0 ? "" : "\n") + source_name + place + ": " + fault.text;
+    lines.append(i == 0 ? "" : "\n").append(source_name);
+    if (fault.position.line > 0) lines.append(":").append(fault.position.text());
+    lines.append(": ").append(fault.text);
   }
   if (count > kMost) lines += "\n" + source_name + ": and " + std::to_string(count - kMost) + " more";
   if (count > 0) throw Error(Status::kFormat, lines);

@@ -79,7 +79,7 @@ class Lines {
 /// What a step along these lines costs, in packs: bonds once for every material in a block, a quarter of it the sums
 /// over particles, padding included. Layers that are switched off count, for the numbering outlives that.
 Real cost_of(const Lines& lines, const Section& section, int width) {
-  constexpr Real kSums = 0.25, kOutOfCache = 1.1;
+  constexpr Real kSums = 0.25, kOutOfCache = 0.15;  // the latter for every doubling of the length
   std::vector<std::uint64_t> materials(static_cast<std::size_t>(lines.storage() / width), 0);
   for (const Seed& s : section.seeds) {
     std::uint64_t& there = materials[static_cast<std::size_t>(lines.at(s) / width)];
@@ -87,7 +87,8 @@ Real cost_of(const Lines& lines, const Section& section, int width) {
   }
   Real packs = kSums * static_cast<Real>(materials.size());
   for (const std::uint64_t there : materials) packs += __builtin_popcountll(there);
-  return lines.longest() > kLongestLine ? kOutOfCache * packs : packs;
+  const Real doublings = std::log2(std::max<Real>(1, static_cast<Real>(lines.longest()) / kLongestLine));
+  return packs * (1 + kOutOfCache * doublings);
 }
 
 /// Along x layers stay in packs of their own and lines are long; along y the lines of a large section are shorter.

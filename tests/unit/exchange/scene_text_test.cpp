@@ -29,6 +29,12 @@ std::string scene_text(const std::string& extra = "") {
 })";
 }
 
+void put(std::string& text, std::string_view from, std::string_view to) {
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, text.npos) << from;
+  text.replace(at, from.size(), to);
+}
+
 SceneDef read(const std::string& text) { return scene_from_flatbuffer(scene_text_to_flatbuffer(text, "a.json")); }
 
 std::string refusal(const std::string& text) {
@@ -66,7 +72,7 @@ TEST(SceneText, TurnsKilopascalsIntoPascals) {
 
 TEST(SceneText, TakesSiAsItIs) {
   std::string text = scene_text();
-  text.replace(text.find("kPa"), 3, "SI");
+  put(text, "kPa", "SI");
   EXPECT_EQ(read(text).materials.at(0).unit_weight, 20);
 }
 
@@ -122,7 +128,7 @@ TEST(SceneText, CountsColumnsInCharacters) {
 
 TEST(SceneText, ReportsAllMisspeltFieldsAtOnce) {
   std::string text = scene_text("\"gravty\": 1, ");
-  text.replace(text.find("friction_angle"), 14, "phi");
+  put(text, "friction_angle", "phi");
   const std::string said = refusal(text);
   EXPECT_NE(said.find("a.json:4:69: materials[0]: unknown field \"phi\" (known here: name, law,"), std::string::npos)
       << said;
@@ -131,7 +137,7 @@ TEST(SceneText, ReportsAllMisspeltFieldsAtOnce) {
 
 TEST(SceneText, NamesAMisspeltFieldOnceAndNotAsMissingToo) {
   std::string text = scene_text();
-  text.replace(text.find("\"spacing\""), 9, "\"Spacing\"");
+  put(text, "\"spacing\"", "\"Spacing\"");
   const std::string said = refusal(text);
   EXPECT_NE(said.find("did you mean \"spacing\"?"), std::string::npos);
   EXPECT_EQ(said.find("required"), std::string::npos) << said;
@@ -211,7 +217,7 @@ TEST(SceneText, KeepsWhatIsNotAtFault) {
 TEST(SceneText, KeepsNothingWhereTheUnitsAreInDoubt) {
   SceneDef scene;
   std::string text = scene_text();
-  text.replace(text.find("kPa"), 3, "kpa");
+  put(text, "kPa", "kpa");
   EXPECT_EQ(read_without_faults(text, scene), "units nothing");
 }
 
@@ -274,9 +280,9 @@ using Lines = std::vector<std::string>;
 
 TEST(SceneText, TellsFaultsThatHaveNothingToDoWithEachOther) {
   std::string text = scene_text(R"("gravity": -1, "strength_reduction": {"srf_min": "0.01", "srf_max": 0.05}, )");
-  text.replace(text.find("\"cohesion\": 10"), 14, "\"cohesion\": -1, \"cohesive\": 2, \"poisson_ratio\": 2");
+  put(text, "\"cohesion\": 10", "\"cohesion\": -1, \"cohesive\": 2, \"poisson_ratio\": 2");
   text.replace(text.find("{\"x\": 0"), 1, "{\"z\": 3, ");
-  text.replace(text.find("\"friction_angle\": 20"), 20, "\"friction_angle\": \"20\", \"dilatancy_angle\": 5");
+  put(text, "\"friction_angle\": 20", "\"friction_angle\": \"20\", \"dilatancy_angle\": 5");
   Lines lines = told(text);
   for (std::string& line : lines) line.resize(std::min(line.find_first_of(";:"), line.size()));
   EXPECT_EQ(lines, (Lines{"profile.exterior[0]", "materials[0]", "materials[0].friction_angle",
@@ -285,8 +291,8 @@ TEST(SceneText, TellsFaultsThatHaveNothingToDoWithEachOther) {
 
 TEST(SceneText, ReadsAMisspeltFieldAsTheOneItIsMeantToBe) {
   std::string text = scene_text("\"seismc\": {\"kh\": \"a tenth\"}, ");
-  text.replace(text.find("\"cohesion\": 10"), 14, "\"cohesoin\": -10");
-  text.replace(text.find("\"units\""), 7, "\"unit\"");
+  put(text, "\"cohesion\": 10", "\"cohesoin\": -10");
+  put(text, "\"units\"", "\"unit\"");
   const Lines lines = told(text);
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(lines[0].substr(0, 20), "unknown field \"unit\"");
@@ -306,18 +312,18 @@ TEST(SceneText, TellsWhereItStopsBeingJsonBesideWhatIsWrongBefore) {
 TEST(SceneText, JudgesTheRestByAllFaultsHoweverMany) {
   std::string soils = "\"cohesion\": 10", text = scene_text();
   for (int i = 0; i < 50; ++i) soils += ", \"cohesion\": 10";
-  text.replace(text.find("\"cohesion\": 10"), 14, soils);
+  put(text, "\"cohesion\": 10", soils);
   EXPECT_EQ(told(text).size(), 50u);
   const std::string said = refusal(text);
   EXPECT_TRUE(said.ends_with("a.json: and 30 more")) << said;
-  text.replace(text.find("0.5"), 3, "-1");
-  text.replace(text.find("\"units\": \"kPa\","), 15, "");
+  put(text, "0.5", "-1");
+  put(text, "\"units\": \"kPa\",", "");
   EXPECT_EQ(told(text).size(), 51u);  // no word about the spacing, whose unit is in doubt
 }
 
 TEST(SceneText, MendsObjectsWithoutAnythingButNulls) {
   std::string text = scene_text("\"boundaries\": [{\"kind\": null}], ");
-  text.replace(text.find("0.5"), 3, "-1 ");
+  put(text, "0.5", "-1 ");
   const Lines lines = told(text);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[2].substr(0, 18), "scene: spacing = -");

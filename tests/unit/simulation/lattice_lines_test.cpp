@@ -43,6 +43,12 @@ TEST(LatticeLines, RunAlongTheLongSideOfOneSoil) {
   EXPECT_FALSE(along_x(halves(9, 60, false, 60)));
 }
 
+TEST(LatticeLines, RunAlongTheShortSideWhereTheLongOneLeavesTheCache) {
+  const SceneDef scene = halves(2600, 12, false, 12);
+  EXPECT_FALSE(along_x(scene, 2));  // packs of two hardly waste a lane either way
+  EXPECT_TRUE(along_x(halves(590, 12, false, 12), 2));
+}
+
 TEST(LatticeLines, AreThoseOfTheWholeSectionWhicheverLayersAreThere) {
   for (const bool beside_each_other : {false, true}) {
     const SceneDef scene = halves(40, 20, beside_each_other, 7);
