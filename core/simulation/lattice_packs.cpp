@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 
@@ -86,7 +87,7 @@ Real cost_of(const Lines& lines, const Section& section, int width) {
     there |= std::uint64_t{1} << (static_cast<unsigned>(s.material) % 64);
   }
   Real packs = kSums * static_cast<Real>(materials.size());
-  for (const std::uint64_t there : materials) packs += __builtin_popcountll(there);
+  for (const std::uint64_t there : materials) packs += std::popcount(there);
   const Real doublings = std::log2(std::max<Real>(1, static_cast<Real>(lines.longest()) / kLongestLine));
   return packs * (1 + kOutOfCache * doublings);
 }
