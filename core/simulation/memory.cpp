@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "bond/bond_law.h"
@@ -35,17 +36,39 @@ Shape shape_of(const SceneDef& scene) {
   return s;
 }
 
-/// Places of a lattice: cells of soil, walls along three sides of the box, and two packs of padding per line.
+/// Places of a lattice: cells of soil, those and the hollows that its lines run through, walls along three sides of the
+/// box, and two packs of padding per line.
 struct Places {
-  double soil, walls, lines;
+  double soil, filled, walls, lines;
 };
+
+/// Area of an outline whose hollows between two pieces of one line along `axis` (0 = x) are filled.
+double filled_area(const Vertices& outline, int axis, double step) {
+  const int across = 1 - axis;
+  const Box box = box_of(outline);
+  double area = 0;
+  for (double at = box.low[across] + step / 2; at < box.high[across]; at += step) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+      const Vec2 &a = outline[i], &b = outline[j];
+      if ((a[across] > at) == (b[across] > at)) continue;
+      const double crossing = a[axis] + (at - a[across]) / (b[across] - a[across]) * (b[axis] - a[axis]);
+      low = std::min(low, crossing), high = std::max(high, crossing);
+    }
+    area += step * std::max(0.0, high - low);
+  }
+  return area;
+}
 
 Places places_of(const SceneDef& scene, const Lattice& lattice) {
   const Polygon outline = counter_clockwise(scene.exterior);
   const Vec2 cells = box_of(outline).size().cwiseQuotient(lattice.spacing);
   const double reach = support_reach(scene);
   Places p;
-  p.soil = signed_area(local(outline, lattice.origin)) / lattice.spacing.prod();
+  const Vertices corners = local(outline, lattice.origin);
+  p.soil = signed_area(corners) / lattice.spacing.prod();
+  p.filled = std::max({p.soil, filled_area(corners, 0, lattice.spacing.y()) / lattice.spacing.prod(),
+                       filled_area(corners, 1, lattice.spacing.x()) / lattice.spacing.prod()});
   p.walls = reach * (cells.x() + 2 * cells.y() + 2 * reach);
   // the long lines waste least, and are taken unless they are too long
   p.lines = 2 * reach + (cells.maxCoeff() + 2 * reach <= kLongestLine ? cells.minCoeff() : cells.maxCoeff());
@@ -70,7 +93,7 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
   const Shape shape = shape_of(scene);
   const Places places = places_of(scene, lattice);
   const double particles = places.soil + places.walls, blocks = particles / width + places.lines;
-  const double storage = particles + 2 * width * places.lines;
+  const double storage = places.filled + places.walls + 2 * width * places.lines;
   const double offsets = forward_offsets(scene, lattice), packs = blocks * (shape.bonded ? offsets : 1);
   constexpr double kCopies = 3;  // the state, that of the monitors and that of the energy audit
   const double state = 4 + (shape.volumetric ? 1 : 0) + (shape.plastic && !shape.bonded ? 3 : 0);

@@ -39,7 +39,7 @@ class SavedBytes {
 };
 
 /// Bytes a simulation of the scene on that lattice will have once it was stepped, relaxed and read: an estimate from
-/// the box of the section, 5 to 20 % too high rather than too low.
+/// the outline of the section, 5 to 30 % too high rather than too low.
 double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width);
 
 /// Throws Error(kLimit, of the context) when the lattice of that spacing needs more bytes: how many, and the spacing
