@@ -79,6 +79,7 @@ struct JobOption {
   const char* unit;
   const char* doc;
   double default_value, min_value, max_value;  ///< default NaN = from the scene
+  bool whole = false;                          ///< a count or a choice: no fractions
 };
 std::span<const JobOption> job_options();
 

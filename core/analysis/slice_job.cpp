@@ -10,20 +10,21 @@ namespace vbgpd {
 
 namespace {
 
+constexpr bool kWhole = true;
 constexpr JobOption kOptions[] = {
     {"srf_min", "1", "lowest strength reduction factor tried", kNone, 1e-3, 1e3},
     {"srf_max", "1", "highest strength reduction factor tried", kNone, 1e-3, 1e3},
     {"srf_tolerance", "1", "width of the bracket asked for", kNone, 1e-4, 0.5},
     {"levels", "1", "grids: 1 plain, 2 extrapolated, 3 to 5 check the order; 0 = 2, or as many as the next two ask for",
-     0, 0, 5},
+     0, 0, 5, kWhole},
     {"target_error", "1", "ends when the error estimate is this small; 0 = no target", 0, 0, 1},
     {"budget", "s", "wall time within which grids are begun and ended; 0 = no limit", 0, 0, 1e9},
-    {"careful", "1", "0 fast search, then verification; 1 plain bisection from the gravity state", 0, 0, 1},
+    {"careful", "1", "0 fast search, then verification; 1 plain bisection from the gravity state", 0, 0, 1, kWhole},
     {"stiffness_contrast", "1",
      "strength reduction: soils count as at most this many times as stiff as the softest one", kStiffnessContrast, 1,
      1e12},
     {"end_time", "s", "run-out: simulated time to stop at; 0 = at rest", 0, 0, 1e9},
-    {"step_limit", "1", "steps after which a trial is undecided; 0 = 30 response times", 0, 0, 1e12},
+    {"step_limit", "1", "steps after which a trial is undecided; 0 = 30 response times", 0, 0, 1e12, kWhole},
 };
 
 }  // namespace
@@ -93,11 +94,12 @@ void SliceJob::set(std::string_view name, double value) {
   for (const JobOption& o : kOptions) {
     if (name != o.name) continue;
     if (started_) throw Error(Status::kState, std::string(name) + ": options can be set before the first run only");
-    if (!(value >= o.min_value && value <= o.max_value)) {
+    const bool broken = o.whole && value != std::floor(value);
+    if (broken || !(value >= o.min_value && value <= o.max_value)) {
       Issue issue;
       issue.status = Status::kRange, issue.object = ObjectKind::kJob, issue.value = value;
-      issue.text = std::string(name) + " = " + number_text(value) + ": must be in [" + number_text(o.min_value) + ", " +
-                   number_text(o.max_value) + "]";
+      issue.text = std::string(name) + " = " + number_text(value) + ": must be " + (o.whole ? "a whole number " : "") +
+                   "in [" + number_text(o.min_value) + ", " + number_text(o.max_value) + "]";
       throw Error(issue);
     }
     options_[o.name] = value;

@@ -1,10 +1,12 @@
 // vbgpd: factor of safety and critical slip surface of a soil slope, from the command line.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <iterator>
 
 #include "bad_input.h"
 #include "commands.h"
@@ -140,6 +142,13 @@ int main(int argc, char** argv) {
   describe_check(*check, check_options);
   describe_fos(*fos, fos_options);
   describe_run(*run, run_options);
+  const auto is_known = [&](const CLI::App* command) { return command->check_name(argv[1]); };
+  const CLI::App* const commands[] = {check, fos, run};
+  if (argc > 1 && argv[1][0] != '-' && std::none_of(std::begin(commands), std::end(commands), is_known)) {
+    std::fprintf(stderr, "There is no command \"%s\": use check, fos or run.\nRun with --help for more information.\n",
+                 argv[1]);
+    return kBadInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

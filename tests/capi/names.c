@@ -89,6 +89,7 @@ static void jobs_and_models(vbgpd_context* context) {
   CHECK_OK(vbgpd_job_set_f64(job, "levels", VBGPD_STRLEN, 1));
   CHECK(job_number(job, "levels") == 1);
   CHECK_STATUS(VBGPD_E_RANGE, vbgpd_job_set_f64(job, "levels", VBGPD_STRLEN, 9));
+  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_job_set_f64(job, "levels", VBGPD_STRLEN, 2.5));
   CHECK_STATUS(VBGPD_E_RANGE, vbgpd_job_set_f64(job, "target_error", VBGPD_STRLEN, 1.5));
   CHECK_STATUS(VBGPD_E_RANGE, vbgpd_job_set_f64(job, "budget", VBGPD_STRLEN, -1));
   CHECK_OK(vbgpd_job_set_f64(job, "budget", VBGPD_STRLEN, 60));

@@ -188,6 +188,9 @@ class BadScenes(ProgramTest):
                   "unknown field \"watr\""]
         self.assertEqual([text[:len(start)] for (_, _, text), start in zip(told, starts, strict=True)], starts)
 
+    def test_commands_that_are_none_are_told_with_those_there_are(self):
+        self.assert_words(self.refused("fso", SCENES / "gl_1.json"), 'There is no command "fso"', "check, fos or run")
+
     def test_values_from_the_command_line_have_no_place_in_the_file(self):
         said = self.refused("fos", SCENES / "gl_1.json", "--tolerance", "5")
         self.assertTrue(said.startswith(str(SCENES / "gl_1.json") + ": error: --tolerance: srf_tolerance = 5"), said)
