@@ -74,27 +74,21 @@ void set_kind_of_boundary(SceneDef& s, std::size_t i, std::string value, int arg
 }
 
 /// Also in the layers made of it.
-void rename_material(SceneDef& scene, std::int64_t id, std::string_view name) {
-  const auto index = static_cast<std::size_t>(id);
-  const std::string old_name = scene.materials[index].name;
+void set_name_of_material(SceneDef& s, std::size_t i, std::string value, int argument) {
+  const std::string old_name = s.materials[i].name;
+  if (value == old_name) return;
+  require_new_material_name(s, value, argument);
   // Layers mean the first material of a name, should a scene file hold two.
-  const auto first = std::find_if(scene.materials.begin(), scene.materials.end(),
+  const auto first = std::find_if(s.materials.begin(), s.materials.end(),
                                   [&](const MaterialDef& material) { return material.name == old_name; });
-  std::vector<LayerDef> layers = scene.layers;
-  if (first == scene.materials.begin() + static_cast<std::ptrdiff_t>(index)) {
+  std::vector<LayerDef> layers = s.layers;
+  if (first == s.materials.begin() + static_cast<std::ptrdiff_t>(i)) {
     for (LayerDef& layer : layers) {
-      if (layer.material == old_name) layer.material = name;
+      if (layer.material == old_name) layer.material = value;
     }
   }
-  std::string new_name(name);
-  scene.layers.swap(layers);  // all that may throw is behind us
-  scene.materials[index].name.swap(new_name);
-}
-
-void set_name_of_material(SceneDef& s, std::size_t i, std::string value, int argument) {
-  if (value == s.materials[i].name) return;
-  require_new_material_name(s, value, argument);
-  rename_material(s, static_cast<std::int64_t>(i), value);
+  s.layers.swap(layers);  // all that may throw is behind us
+  s.materials[i].name.swap(value);
 }
 
 constexpr std::array<NamedText, 10> kTexts{{
@@ -116,6 +110,13 @@ Names known_texts(ObjectKind kind) {
     if (text.kind == kind) names.emplace_back(text.name);
   }
   return names;
+}
+
+const NamedText& find_text(ObjectKind kind, std::string_view name, int argument) {
+  const auto found = std::find_if(kTexts.begin(), kTexts.end(),
+                                  [&](const NamedText& text) { return text.kind == kind && name == text.name; });
+  if (found == kTexts.end()) unknown_name(kind, "text", name, argument, known_texts(kind));
+  return *found;
 }
 
 std::int64_t size_of(const auto& list) { return static_cast<std::int64_t>(list.size()); }
@@ -185,15 +186,6 @@ double& named_number(SceneDef& scene, ObjectKind kind, std::int64_t id, std::str
   if (value == nullptr) unknown_name(kind, "number", name, argument, known_numbers(kind));
   return *value;
 }
-
-namespace {
-const NamedText& find_text(ObjectKind kind, std::string_view name, int argument) {
-  const auto found = std::find_if(kTexts.begin(), kTexts.end(),
-                                  [&](const NamedText& text) { return text.kind == kind && name == text.name; });
-  if (found == kTexts.end()) unknown_name(kind, "text", name, argument, known_texts(kind));
-  return *found;
-}
-}  // namespace
 
 std::string named_text(SceneDef& scene, ObjectKind kind, std::int64_t id, std::string_view name, int argument) {
   return find_text(kind, name, argument).read(scene, static_cast<std::size_t>(id));

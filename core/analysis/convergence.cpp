@@ -175,8 +175,8 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
   // The face of soil with next to no cohesion fails as a skin, as thin as the grid allows: half the spacing, half the
   // skin, and nothing that could be extrapolated.
   constexpr double kThinner = 0.85;
-  const std::string only = number_text(fine.sliding_thickness / spacing_of(fine), 2) + " spacings";
   if (e.status != "THIN_LAYER" && fine.sliding_thickness < kSupport * spacing_of(fine)) {
+    const std::string only = number_text(fine.sliding_thickness / spacing_of(fine), 2) + " spacings";
     if (coarse == nullptr) e.reason += "; the sliding mass is only " + only + " thick";
     else if (fine.sliding_thickness < kThinner * coarse->sliding_thickness)
       refuse(e, fine, "THIN_SLIDE", std::max(e.error, kAgain * difference + noise),

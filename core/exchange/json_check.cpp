@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -143,10 +144,11 @@ class Walk {
     }
   }
 
-  /// The names in the object that begins here, without a word about their values.
-  std::set<std::string> names_ahead() {
-    const std::size_t start = here_, told = problems.size(), faults = faults_;
+  /// The names in the object that begins at `start`, without a word about their values.
+  std::set<std::string> names_of(std::size_t start) {
+    const std::size_t here = here_, told = problems.size(), faults = faults_;
     std::set<std::string> names;
+    here_ = start;
     for (bool first = true, goes_on = take('{'); goes_on; first = false) {
       std::string_view written;
       if (skip_blank(), peek() == '}') break;
@@ -154,17 +156,18 @@ class Walk {
       goes_on = goes_on && string(written, "") && (skip_blank(), take(':')) && (skip_blank(), skip_value());
       if (goes_on) names.insert(unescaped(written));
     }
-    here_ = start, faults_ = faults;
+    here_ = here, faults_ = faults;
     problems.resize(told);
     return names;
   }
 
   bool object(const fb::StructDef& table, const std::string& path) {
     const std::size_t start = here_;
-    const std::set<std::string> all = names_ahead();
+    std::optional<std::set<std::string>> all;  // found where a name is unknown
     std::set<std::string> written, with_value;
+    bool first = true;
     if (!take('{')) return false;
-    for (bool first = true; skip_blank(), peek() != '}'; first = false) {
+    for (; skip_blank(), peek() != '}'; first = false) {
       if (!first && !take(',', ", or }")) return false;
       skip_blank();
       const std::size_t key_at = here_;
@@ -176,7 +179,8 @@ class Walk {
       std::string key = unescaped(raw);
       if (table.fields.Lookup(key) == nullptr) {
         const std::string meant = unknown(key, table, path, key_at);
-        if (!meant.empty() && !all.contains(meant) && !written.contains(meant))
+        if (!all) all = names_of(start);
+        if (!meant.empty() && !all->contains(meant) && !written.contains(meant))
           key = meant, rename(key);  // read as what it is meant to be
       }
       const auto* field = table.fields.Lookup(key);
@@ -190,7 +194,7 @@ class Walk {
       }
       if (!(field ? value(field->value.type, join(path, key), field) : skip_value())) return false;
     }
-    missing(table, with_value, all.empty(), path, start);
+    missing(table, with_value, first, path, start);
     return take('}');
   }
 

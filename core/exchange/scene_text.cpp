@@ -86,9 +86,8 @@ std::vector<std::uint8_t> parsed(fb::Parser& parser, const std::string& text) {
 
 /// What is left when everything at fault is taken out; nothing where that is no scene either.
 std::vector<std::uint8_t> remainder(Schema& schema, const TextCheck& check) {
-  const auto misleads = [](const TextProblem& p) {
-    return p.path == "units" && !p.harmless;
-  };  // every number depends on it
+  // every number depends on the units
+  const auto misleads = [](const TextProblem& p) { return p.path == "units" && !p.harmless; };
   if (!check.is_json || std::any_of(check.problems.begin(), check.problems.end(), misleads)) return {};
   schema.parser().opts.skip_unexpected_fields_in_json = true;
   return parsed(schema.parser(), check.mended);
@@ -226,6 +225,7 @@ std::vector<std::uint8_t> scene_text_to_flatbuffer(std::string_view json, const 
 }
 
 std::vector<TextPosition> issue_positions(std::span<const std::string> issues, std::string_view json) {
+  if (issues.empty()) return {};
   const std::string text(plain_text(json, ""));
   const auto places = places_in(text, Schema().scene());
   std::vector<std::pair<std::size_t, std::size_t>> found;  // place, issue

@@ -151,7 +151,7 @@ void check_plausible(const MaterialDef& m, Report& report) {
   const Units units = report.units;
   const bool kilo = units == Units::kKilopascal;
   const auto warn = [&](const char* name, double v, const char* unit, const std::string& text) {
-    report.warn(std::string(name) + " = " + quantity_text(v, unit, units) + " " + text, v);
+    if (std::isfinite(v)) report.warn(std::string(name) + " = " + quantity_text(v, unit, units) + " " + text, v);
   };
   const auto usual = [&](double from, double to, const char* unit) {
     return number_text(in_units(from, unit, units)) + " to " + number_text(in_units(to, unit, units)) + " is usual";
@@ -161,14 +161,14 @@ void check_plausible(const MaterialDef& m, Report& report) {
          kilo ? "is less than any soil weighs: " + usual(15000, 25000, "N m-3")
               : "looks like " + number_text(m.unit_weight) + " kN/m3: with units SI write " +
                     number_text(1000 * m.unit_weight) + ", or set units to kPa");
-  if (m.unit_weight >= 1e6 && kilo && std::isfinite(m.unit_weight))
+  if (m.unit_weight >= 1e6 && kilo)
     warn("unit_weight", m.unit_weight, "N m-3",
          "looks like " + number_text(m.unit_weight / 1000) + " N/m3: with units kPa write " +
              number_text(m.unit_weight / 1e6) + ", or set units to SI");
-  else if (m.unit_weight > 50000 && std::isfinite(m.unit_weight))
+  else if (m.unit_weight > 50000)
     warn("unit_weight", m.unit_weight, "N m-3", "is more than any soil weighs: " + usual(15000, 25000, "N m-3"));
   check_friction_angle(m.friction_angle, "soil", report);
-  if (m.cohesion > 1e7 && std::isfinite(m.cohesion))
+  if (m.cohesion > 1e7)
     warn("cohesion", m.cohesion, "Pa",
          kilo ? "is that of concrete; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI"
               : "is that of concrete");

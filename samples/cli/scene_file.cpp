@@ -87,6 +87,12 @@ std::vector<Issue> all_errors(vbgpd_context* context, const vbgpd::SceneText& sc
   return in_order(std::move(errors));
 }
 
+/// After the engine was given a value of the command line.
+void note_option(Scene& scene, const char* option, const char* name, vbgpd_status status) {
+  if (status < 0) throw BadInput(option, errors_of(error_text(scene.profile.get())));
+  scene.options[name] = option;
+}
+
 }  // namespace
 
 Scene read_scene(vbgpd_context* context, const std::string& file) {
@@ -105,17 +111,14 @@ Scene read_scene(vbgpd_context* context, const std::string& file) {
 }
 
 void set_number(Scene& scene, const char* option, const char* name, double value) {
-  vbgpd_profile* profile = scene.profile.get();
-  if (vbgpd_profile_set_f64(profile, VBGPD_OBJECT_PROFILE, -1, name, VBGPD_STRLEN, value) < 0)
-    throw BadInput(option, errors_of(error_text(profile)));
-  scene.options[name] = option;
+  note_option(scene, option, name,
+              vbgpd_profile_set_f64(scene.profile.get(), VBGPD_OBJECT_PROFILE, -1, name, VBGPD_STRLEN, value));
 }
 
 void set_text(Scene& scene, const char* option, const char* name, const std::string& value) {
-  vbgpd_profile* profile = scene.profile.get();
-  if (vbgpd_profile_set_text(profile, VBGPD_OBJECT_PROFILE, -1, name, VBGPD_STRLEN, value.c_str(), VBGPD_STRLEN) < 0)
-    throw BadInput(option, errors_of(error_text(profile)));
-  scene.options[name] = option;
+  note_option(scene, option, name,
+              vbgpd_profile_set_text(scene.profile.get(), VBGPD_OBJECT_PROFILE, -1, name, VBGPD_STRLEN, value.c_str(),
+                                     VBGPD_STRLEN));
 }
 
 std::vector<Issue> validate(const Scene& scene) {
