@@ -37,7 +37,7 @@ StepReport FlowSimulation::march(const Goal& goal, const StepWatch& watch) {
     peak_kinetic_ = std::max(peak_kinetic_, sums.kinetic);
     ++steps_, ++report.steps;
     time_ = length.last ? goal.time : time_ + c.time_step;
-    refresh_neighbours();
+    refresh_neighbours(c.time_step);
   }
   return report;
 }
@@ -56,7 +56,7 @@ RelaxReport FlowSimulation::relax(std::int64_t steps, const RelaxOptions& option
     ++r.steps;
     r.external_work += sums.external, r.internal_work -= sums.internal + sums.bond;
     r.diverged = !(sums.velocity2 < runaway * runaway);
-    refresh_neighbours();
+    refresh_neighbours(c.time_step);
   }
   r.since_restart = r.steps;
   r.unbalanced_force_ratio = model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;

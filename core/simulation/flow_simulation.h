@@ -70,7 +70,7 @@ class FlowSimulation final : public Simulation {
   void arrange(const FlowLists& lists, FlowScratch& scratch) const;
   /// Takes over a state with what follows from it.
   void settle(FlowState&& state, FlowLists&& lists, FlowScratch&& scratch);
-  void refresh_neighbours();
+  void refresh_neighbours(Real time_step);  ///< after a step
   /// One step of `state`, which lies as the lists say; its new motion is left in the scratch, its new stress too where
   /// this answers true.
   bool evaluate(FlowState& state, const FlowControls& controls, FlowSums& sums) const;
@@ -105,6 +105,7 @@ class FlowSimulation final : public Simulation {
   std::vector<FlowLaw> laws_, elastic_laws_;
   std::vector<Real> bond_modulus_;  // chi G by material
   FlowSums last_;
+  Real room_ = 0;  ///< every particle may move so far before the lists are looked at, m
   Ledger ledger_;
   Real factor_ = 1, damping_ = 0, time_ = 0, peak_kinetic_ = 0;
   std::int64_t steps_ = 0, searches_ = 0, epoch_ = 0;

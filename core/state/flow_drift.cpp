@@ -1,6 +1,7 @@
 #include "state/flow_drift.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vbgpd {
 
@@ -62,7 +63,7 @@ void group_by_cell(const FlowModel& m, const FlowState& s, const Cells& cells, c
   }
 }
 
-bool lists_serve(const FlowModel& m, const FlowState& s, const FlowLists& lists) {
+Real room_left(const FlowModel& m, const FlowState& s, const FlowLists& lists) {
   const auto n = static_cast<std::size_t>(m.particles);
   const Real skin = m.options.skin * m.spacing, farthest = kFarthest * skin;
   std::vector<Box> boxes(static_cast<std::size_t>(lists.groups));
@@ -76,7 +77,8 @@ bool lists_serve(const FlowModel& m, const FlowState& s, const FlowLists& lists)
     square = std::max(square, x * x + y * y);
     boxes[static_cast<std::size_t>(lists.group[i])].add(x, y);
   }
-  if (square > farthest * farthest) return false;
+  const Real own_room = farthest - std::sqrt(square);
+  if (!(own_room >= 0)) return own_room;
   for (std::size_t g = 0; g < lists.ghosts.size(); ++g) {
     const FlowGhost& ghost = lists.ghosts[g];
     Real x = moved(static_cast<std::size_t>(ghost.parent), 0), y = moved(static_cast<std::size_t>(ghost.parent), 1);
@@ -84,10 +86,11 @@ bool lists_serve(const FlowModel& m, const FlowState& s, const FlowLists& lists)
     if (ghost.second >= 0) mirror_vector(m.walls[static_cast<std::size_t>(ghost.second)], x, y);
     boxes[static_cast<std::size_t>(lists.group[n + g])].add(x, y);
   }
-  return std::all_of(lists.touching.begin(), lists.touching.end(), [&](const FlowTouch& t) {
-    return square_of_difference(boxes[static_cast<std::size_t>(t.a)], boxes[static_cast<std::size_t>(t.b)]) <=
-           skin * skin;
-  });
+  Real apart = 0;
+  for (const FlowTouch& t : lists.touching)
+    apart = std::max(apart, square_of_difference(boxes[static_cast<std::size_t>(t.a)],
+                                                 boxes[static_cast<std::size_t>(t.b)]));
+  return std::min(own_room, (skin - std::sqrt(apart)) / 2);
 }
 
 }  // namespace vbgpd

@@ -16,8 +16,9 @@ inline Real cell_size(const FlowModel& m) { return m.support + 2 * kFarthest * m
 void group_by_cell(const FlowModel& m, const FlowState& s, const Cells& cells, const Bins& soil, const Bins& images,
                    FlowLists& lists);
 
-/// May the lists still be used? Two that are not listed were farther apart than the support and the skin; the largest
-/// difference between the displacements of groups that touch bounds how near they have come.
-bool lists_serve(const FlowModel& m, const FlowState& s, const FlowLists& lists);
+/// How far every particle may still move before the lists serve no longer, m; below 0 they do not. Two that are not
+/// listed were farther apart than the support and the skin; the largest difference between the displacements of groups
+/// that touch bounds how near they have come.
+Real room_left(const FlowModel& m, const FlowState& s, const FlowLists& lists);
 
 }  // namespace vbgpd

@@ -18,14 +18,14 @@ namespace vbgpd {
 struct FlowOptions {
   Real bond_stiffness = 0.3;         ///< chi of soil: filters noise, decays with plastic flow
   Real elastic_bond_stiffness = 1;   ///< chi of a material that never yields: its bonds carry tension
-  Real stress_diffusion = 0.05;      ///< zeta, in soil that yields or is disturbed
+  Real stress_diffusion = 0.08;      ///< zeta, in soil that yields or is disturbed
   Real disturbed = 0.01;             ///< plastic shear strain beyond which soil counts as disturbed
   Real guard_distance = 0.8;         ///< b: particles closer than b spacings repel each other
   Real guard_stiffness = 0.5;        ///< kappa, of K + 4G/3
   Real viscosity = 0.4;              ///< alpha c / sqrt(g H), on approach only
   Real viscosity_length = 1.3 / 20;  ///< h / H at which that viscosity is meant; held fixed when the spacing changes
   Real smallest_eigenvalue = 0.2;    ///< floor of the moment matrix, 1 in the bulk
-  Real skin = 0.4;                   ///< how far beyond the support neighbours are listed
+  Real skin = 0.5;                   ///< how far beyond the support neighbours are listed
   Real time_step = 0.3;              ///< of spacing / wave speed
   Real friction_lag = 4;  ///< of height / wave speed: the while over which Coulomb walls take the mean normal force
   // of the rivals (sph, sph_artificial_stress, pseudo_spring, gpd)

@@ -279,10 +279,12 @@ namespace {
 void place_constants(const FlowModel& m, const FlowState& s, FlowLists& lists) {
   const auto n = static_cast<std::size_t>(m.particles), ghosts = lists.ghosts.size();
   lists.soil.resize(n);
-  lists.constants.allocate(4 * (n + 1), 1, m.heap);
-  lists.volume.allocate(n + ghosts + 1, 2, m.heap);
-  lists.force.allocate(2 * n, 3, m.heap);
-  lists.extra_cohesion.allocate(m.extra_cohesion.size(), 4, m.heap);
+  lists.constants.allocate_for_overwrite(4 * (n + 1), 1, m.heap);
+  lists.volume.allocate_for_overwrite(n + ghosts + 1, 2, m.heap);
+  lists.force.allocate_for_overwrite(2 * n, 3, m.heap);
+  lists.extra_cohesion.allocate_for_overwrite(m.extra_cohesion.size(), 4, m.heap);
+  lists.volume[n] = 0;
+  for (std::size_t k = 0; k < 4; ++k) lists.constants[4 * n + k] = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const auto id = static_cast<std::size_t>(s.particle[i]);
     const LawConstants& moduli = m.moduli[static_cast<std::size_t>(m.material[id])];
@@ -316,7 +318,8 @@ void hand_over(const FlowModel& m, const FlowLists& old, const Array& from, cons
       const std::int32_t j = old.neighbours[static_cast<std::size_t>(k)];
       if (j < blank) slot_of[static_cast<std::size_t>(j)] = k;
     }
-    for (auto k = 4 * static_cast<std::size_t>(row.begin); k < 4 * static_cast<std::size_t>(row.end); ++k) {
+    std::fill(to.data() + 8l * row.ghosts, to.data() + 8l * row.end, 0.0);
+    for (auto k = 4 * static_cast<std::size_t>(row.begin); k < 4 * static_cast<std::size_t>(row.ghosts); ++k) {
       const std::int32_t j = lists.neighbours[k];
       const std::int32_t slot = j < blank ? slot_of[static_cast<std::size_t>(order[static_cast<std::size_t>(j)])] : -1;
       const bool lives = slot >= first && slot < last;

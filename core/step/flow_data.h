@@ -43,7 +43,7 @@ struct FlowControls {
 
 /// Sums of one step, combined in chunk order. Works in J per metre run.
 struct FlowSums {
-  double unbalanced = 0, kinetic = 0, velocity2 = 0, displacement2 = 0;
+  double unbalanced = 0, kinetic = 0, velocity2 = 0;
   double external = 0;              ///< done by weight, seismic force, loads and pore water
   double internal = 0;              ///< taken up by the stress of the particles
   double bond = 0;                  ///< taken up by bond tractions, or by the artificial stress
@@ -58,7 +58,6 @@ struct FlowSums {
     viscous += s.viscous, damping += s.damping, contact += s.contact, wall += s.wall, guard += s.guard;
     yielding += s.yielding;
     velocity2 = s.velocity2 > velocity2 ? s.velocity2 : velocity2;
-    displacement2 = s.displacement2 > displacement2 ? s.displacement2 : displacement2;
   }
 };
 
@@ -70,7 +69,7 @@ struct FlowData {
   const FlowGhost* ghosts;
   const FlowWall* walls;
   const std::int32_t* soil;
-  const double *constants, *volume, *force, *extra_cohesion, *listed, *pore_pressure;
+  const double *constants, *volume, *force, *extra_cohesion, *pore_pressure;
   // state
   double *stress, *gap, *plastic_strain, *wall_shear, *wall_limit, *traction, *dead;
   // scratch; motion is the state's, with ghosts

@@ -128,11 +128,9 @@ inline void motion_pass(const FlowData& shared, const FlowControls& shared_contr
       store(d.next_stress + 4l * i, stress + flow * (c.diffusion * wave_speed * dt));
     }
     const double mx = 0.5 * dt * (m[2] + next[2]), my = 0.5 * dt * (m[3] + next[3]);
-    const double ux = next[0] - d.listed[2l * i], uy = next[1] - d.listed[2l * i + 1];
     sums.unbalanced += magnitude(fx) + magnitude(fy);
     sums.kinetic += 0.5 * mass * (next[2] * next[2] + next[3] * next[3]);
     sums.velocity2 = larger(sums.velocity2, next[2] * next[2] + next[3] * next[3]);
-    sums.displacement2 = larger(sums.displacement2, ux * ux + uy * uy);
     sums.external += ex * mx + ey * my;
     if constexpr (PairLaw::kArtificialStress) sums.bond -= pair_x * mx + pair_y * my;
     sums.viscous -= hx * mx + hy * my;

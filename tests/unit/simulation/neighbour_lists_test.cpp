@@ -56,7 +56,7 @@ class Carried {
     s_ = start_;
     const double skin = m_.options.skin * m_.spacing;
     double way = 0;
-    while (lists_serve(m_, s_, lists_)) {
+    while (room_left(m_, s_, lists_) >= 0) {
       EXPECT_EQ(missing(), 0) << "after " << way / skin << " skins";
       way += 0.05 * skin;
       for (std::size_t i = 0; i < static_cast<std::size_t>(m_.particles); ++i) {
