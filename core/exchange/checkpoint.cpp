@@ -82,7 +82,7 @@ StateImage state_from(const schema::Checkpoint& from) {
   state.runs_out = from.runs_out();
   if (state.runs_out && from.format() < kCheckpointFormat)
     throw Error(Status::kVersion, "the checkpoint is of a run-out in format " + std::to_string(from.format()) +
-                                      ", whose neighbours are in another order; this library reads format " +
+                                      ", whose neighbours are listed otherwise; this library reads format " +
                                       std::to_string(kCheckpointFormat) + " only");
   const std::string_view where = state.runs_out ? "position" : "displacement";
   const bool whole = std::any_of(state.rows.begin(), state.rows.end(), [&](const StateImage::Rows& r) {

@@ -12,7 +12,7 @@
 namespace vbgpd {
 
 /// The newest that is read, and that of run-outs; models at rest are written as 1.
-inline constexpr std::uint32_t kCheckpointFormat = 3;
+inline constexpr std::uint32_t kCheckpointFormat = 4;
 
 struct Checkpoint {
   SceneDef scene;

@@ -35,10 +35,10 @@ TEST(CheckpointFormats, OfModelsAtRestAreReadUpToTheNewest) {
   EXPECT_EQ(status_of(bytes_in_format(at_rest, kCheckpointFormat + 1)), Status::kVersion);
 }
 
-TEST(CheckpointFormats, OfRunoutsAreReadWithTheSameOrderOfNeighboursOnly) {
+TEST(CheckpointFormats, OfRunoutsAreReadWithTheSameNeighbourListsOnly) {
   const auto sliding = runout(bar_column(4));
   EXPECT_EQ(status_of(bytes_in_format(*sliding, kCheckpointFormat)), Status::kOk);
-  for (const std::uint32_t format : {1u, 2u, kCheckpointFormat + 1})
+  for (const std::uint32_t format : {1u, 2u, 3u, kCheckpointFormat + 1})
     EXPECT_EQ(status_of(bytes_in_format(*sliding, format)), Status::kVersion) << format;
 }
 
