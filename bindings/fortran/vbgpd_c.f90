@@ -375,6 +375,16 @@ module vbgpd_c
       integer(c_int32_t) :: outcome
     end function vbgpd_context_create
 
+    function vbgpd_context_desc_check(d, info, text, cap, needed) result(outcome) bind(C)
+      import
+      type(vbgpd_context_desc), intent(in), optional :: d
+      type(vbgpd_error_info), intent(inout), optional :: info
+      character(kind=c_char), intent(inout), optional :: text(*)
+      integer(c_int64_t), value :: cap
+      integer(c_int64_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: outcome
+    end function vbgpd_context_desc_check
+
     function vbgpd_context_destroy(context) result(outcome) bind(C)
       import
       type(c_ptr), value :: context

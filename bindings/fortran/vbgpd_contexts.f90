@@ -42,10 +42,7 @@ contains
     if (present(max_bytes)) desc%max_bytes = max_bytes
     if (status >= 0) status = vbgpd_context_create(desc, fresh)
     if (status < 0) then
-      call refuse(status, "The context could not be created: " // vbgpd_status_text(status) // &
-                  ". threads, max_particles and max_bytes must be 0 or more, and the library of ABI version " // &
-                  number_text(int(VBGPD_HEADER_ABI_VERSION, c_int64_t)) // "; it has " // &
-                  number_text(int(vbgpd_abi_version(), c_int64_t)) // ".", stat, failure)
+      call refuse(status, fault_of(desc, status), stat, failure)
       if (present(errmsg) .and. allocated(failure)) errmsg = failure
       return
     end if
@@ -54,6 +51,18 @@ contains
     if (associated(self%hearer)) deallocate (self%hearer)
     if (present(stat)) stat = status
   end subroutine create
+
+  ! Why the library makes no context of it.
+  function fault_of(desc, status) result(text)
+    type(vbgpd_context_desc), intent(in) :: desc
+    integer(c_int32_t), intent(in) :: status
+    character(:), allocatable :: text
+    character(1024) :: buffer
+    integer(c_int64_t) :: needed
+    needed = 0
+    text = "The context could not be created: " // vbgpd_status_text(status) // "."
+    if (vbgpd_context_desc_check(desc, text=buffer, cap=len(buffer, c_int64_t), needed=needed) == VBGPD_OK) text = buffer(:needed)
+  end function fault_of
 
   subroutine destroy(self, stat, errmsg)
     class(vbgpd_context), intent(inout) :: self

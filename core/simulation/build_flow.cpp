@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "geometry/outline.h"
 #include "scene/quantity.h"
 #include "simulation/ground_water.h"
 #include "simulation/outside.h"
-#include "simulation/surface_load.h"
 
 namespace vbgpd {
 
@@ -80,10 +80,32 @@ std::vector<FlowWall> walls_of(const Section& section, const SceneDef& scene) {
     if (next != edges.end()) w.next = static_cast<std::int32_t>(next - edges.begin());
     walls.push_back(w);
   }
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    FlowWall& w = walls[k];
+    if (w.next < 0) continue;
+    FlowWall& next = walls[static_cast<std::size_t>(w.next)];
+    next.previous = static_cast<std::int32_t>(k);
+    w.hollow_high = next.hollow_low = next.ny * w.nx - next.nx * w.ny > 0;
+  }
   return walls;
 }
 
 bool is_soil(const Seed& seed) { return seed.hold == Hold::kFree && seed.active; }
+
+/// Loads press on the outermost particle of every column. The discrete normal of the operators (surface_load.h) has parts
+/// of both signs in the rows below: they cancel while the rows stay together, and throw soil up once it comes apart.
+std::vector<bool> outermost(const Section& section) {
+  std::map<Index, std::size_t> top;
+  for (std::size_t k = 0; k < section.seeds.size(); ++k) {
+    const Seed& seed = section.seeds[k];
+    if (!is_soil(seed)) continue;
+    const auto [at, fresh] = top.try_emplace(seed.ix, k);
+    if (!fresh && section.seeds[at->second].iy < seed.iy) at->second = k;
+  }
+  std::vector<bool> outermost(section.seeds.size(), false);
+  for (const auto& [column, k] : top) outermost[k] = true;
+  return outermost;
+}
 
 /// Rows of the soil that is there, one after the other as a run-out numbers it.
 std::vector<double> soil_rows(const LatticeSimulation& from, const char* field, std::size_t components) {
@@ -105,7 +127,7 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
   for (Array* a : {&m.volume, &m.mass, &m.force_x, &m.force_y, &m.weight, &m.reference_x, &m.reference_y, &m.size})
     a->allocate(n, 0, m.heap);
   const bool loaded = !from.drive().loads.empty();
-  const std::vector<Real> area = loaded ? normal_areas(lattice) : std::vector<Real>();
+  const std::vector<bool> bears = loaded ? outermost(section) : std::vector<bool>();
   m.surface_area.allocate(loaded ? n : 0, 0, m.heap);
   m.extra_cohesion.allocate(lattice.extra_cohesion.present() ? n : 0, 0, m.heap);
   m.material.resize(n);
@@ -117,7 +139,7 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
     const auto i = static_cast<std::size_t>(lattice.storage_of[k]);
     m.volume[id] = seed.volume, m.mass[id] = lattice.mass[i], m.size[id] = std::sqrt(seed.volume);
     m.weight[id] = unit_weight_at(from.scene(), seed.material, section.place(k)) * seed.volume;
-    if (loaded) m.surface_area[id] = area[i];
+    if (loaded) m.surface_area[id] = bears[k] ? section.lattice.spacing.x() : 0;
     const Vec2 at = section.shifts.empty() ? seed.centroid : Vec2(seed.centroid + section.shifts[k]);
     const Vec2 reference = at - m.origin;
     m.reference_x[id] = reference.x(), m.reference_y[id] = reference.y();

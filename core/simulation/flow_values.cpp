@@ -30,14 +30,16 @@ Real FlowSimulation::stored_energy() const {
 
 Real FlowSimulation::elastic_energy() const { return stored_energy() + last_.guard; }
 
-/// What the books do not explain, relative to the largest entry.
+/// What the books do not explain, relative to the largest entry, or to a millionth of what the stress stores where all
+/// entries are smaller.
 Real FlowSimulation::energy_residual() const {
   if (!ledger_.open) return 0;
   const Real kinetic = kinetic_energy() - ledger_.kinetic_before, guard = last_.guard - ledger_.guard_before;
   const Real residual = ledger_.external - kinetic - ledger_.internal - ledger_.bond - ledger_.viscous - guard -
                         ledger_.damping - ledger_.contact;
   const Real largest = std::max({std::fabs(ledger_.external), std::fabs(kinetic), std::fabs(ledger_.internal),
-                                 std::fabs(ledger_.viscous), std::fabs(ledger_.damping)});
+                                 std::fabs(ledger_.viscous), std::fabs(ledger_.damping),
+                                 1e-6 * ledger_.stored_before});
   return largest > 0 ? std::fabs(residual) / largest : 0;
 }
 

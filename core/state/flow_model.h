@@ -51,7 +51,7 @@ struct FlowModel {
   Array volume, mass, reference_x, reference_y;
   Array force_x, force_y;  ///< all that pushes it from outside, N
   Array weight;            ///< N, without kv
-  Array surface_area;      ///< present with loads: vertical normal area, m
+  Array surface_area;      ///< present with loads: width of ground that is the particle's, m
   Array pore_pressure;     ///< present with water: Pa, compression positive; it goes with the particle
   Array size;              ///< of its guard: sqrt(volume), less where neighbours or walls are nearer from the start, m
   Array extra_cohesion;    ///< present with a cohesion gradient, Pa

@@ -29,7 +29,8 @@ struct FlowWall {
   std::int32_t rough = 1;     ///< 1: holds the soil on it; 0: only what comes across
   double friction = -1;       ///< >= 0: tan of the friction angle of a Coulomb wall, which mirrors like a smooth one
   std::int32_t boundary = 0;  ///< of the section
-  std::int32_t next = -1;     ///< the wall that begins where this one ends, -1 = none
+  std::int32_t previous = -1, next = -1;  ///< the walls that end where this one begins, begin where it ends; -1 = none
+  std::int32_t hollow_low = 0, hollow_high = 0;  ///< 1: the soil lies in the corner with them, not around it
 };
 
 }  // namespace vbgpd

@@ -125,6 +125,9 @@ inline ContactForce image_water(const FlowData& d, const FlowControls& c, int i,
           scale * ((mine[2] + its[2] + share * b[2]) * x + (mine[3] + its[3] + share * b[3]) * y)};
 }
 
+/// How far behind a wall it still pushes, and how far beyond its end in a hollow corner, in reaches of the guard.
+inline constexpr double kDeep = 8;
+
 /// Push of a wall on a particle nearer than half the guard distance: a spring with a dashpot, across the wall.
 struct Push {
   bool near = false;
@@ -133,20 +136,26 @@ struct Push {
 inline Push push_of(const FlowData& d, const FlowControls& c, int i, const FlowWall& w) {
   const double* const m = d.motion + 4l * i;
   const double modulus = d.constants[4l * i + 2], reach = 0.5 * c.guard_distance * d.constants[4l * i + 3];
-  const double along = (m[0] - w.x) * w.ny - (m[1] - w.y) * w.nx;
-  const double foot = larger(smaller(along, w.high), w.low);
+  const auto along = [&](const FlowWall& wall) { return (m[0] - wall.x) * wall.ny - (m[1] - wall.y) * wall.nx; };
+  const double s = along(w), foot = larger(smaller(s, w.high), w.low);
   Push push{false, w.nx, w.ny, 0};
   double distance = distance_to(w, m[0], m[1]);
-  if (foot != along) {  // beyond its end: the corner repels, once, and only what neither wall has in front of it
-    if (along < w.low || w.next < 0) return push;
-    const FlowWall& next = d.walls[w.next];
-    if ((m[0] - next.x) * next.ny - (m[1] - next.y) * next.nx >= next.low) return push;
-    const double ex = m[0] - w.x - foot * w.ny, ey = m[1] - w.y + foot * w.nx;
-    distance = root(ex * ex + ey * ey);
-    if (!(distance > 0)) return push;
-    push.nx = ex / distance, push.ny = ey / distance;
+  if (foot != s) {  // beyond an end
+    const bool high = s > w.high;
+    const FlowWall& other = d.walls[high ? w.next : w.previous];
+    const bool in_front_of_it = high ? along(other) >= other.low : along(other) <= other.high;
+    if (in_front_of_it) return push;
+    if ((high ? w.hollow_high : w.hollow_low) != 0) {  // it went through where the walls meet: both push it back
+      if (magnitude(s - foot) > kDeep * reach) return push;
+    } else {  // the corner repels, once
+      if (!high) return push;
+      const double ex = m[0] - w.x - foot * w.ny, ey = m[1] - w.y + foot * w.nx;
+      distance = root(ex * ex + ey * ey);
+      if (!(distance > 0)) return push;
+      push.nx = ex / distance, push.ny = ey / distance;
+    }
   }
-  if (distance >= reach || distance < -8 * reach) return push;
+  if (distance >= reach || distance < -kDeep * reach) return push;
   const double density = d.constants[4l * i + 1] / d.constants[4l * i], speed = root(modulus / density);
   const double across = m[2] * push.nx + m[3] * push.ny;
   push.near = true;

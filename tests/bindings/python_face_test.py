@@ -250,6 +250,11 @@ class PythonFace(unittest.TestCase):
         with self.assertRaisesRegex(ImportError, "nowhere/libvbgpd.so.1"):
             vbgpd.Context(library="/nowhere/libvbgpd.so.1")
 
+    def test_a_context_that_cannot_be_made_says_why(self):
+        with self.assertRaisesRegex(vbgpd.Error, "threads is -1; .* max_bytes is -5; ") as told:
+            vbgpd.Context(library=LIBRARY, threads=-1, max_bytes=-5)
+        self.assertEqual((told.exception.status, told.exception.value), (vbgpd.Status.E_RANGE, -1))
+
     def test_everything_public_has_a_docstring(self):
         for name in vbgpd.__all__:
             thing = getattr(vbgpd, name)

@@ -112,6 +112,7 @@ static vbgpd_memory memory;
   X(vbgpd_build_info, (vbgpd_build_info("no such fact", VBGPD_STRLEN, text, 8, &n) == VBGPD_E_UNKNOWN_NAME)) \
   X(vbgpd_context_desc_init, (vbgpd_context_desc_init(NULL, 8) == VBGPD_E_ARGUMENT))                         \
   X(vbgpd_context_create, (vbgpd_context_create(NULL, NULL) == VBGPD_E_ARGUMENT))                            \
+  X(vbgpd_context_desc_check, (vbgpd_context_desc_check(NULL, &info, text, 8, &n) == VBGPD_END_OF_DATA))      \
   X(vbgpd_property_count, (vbgpd_property_count(VBGPD_OBJECT_JOB, &n) == VBGPD_OK))                          \
   X(vbgpd_property_info_at, (vbgpd_property_info_at(VBGPD_OBJECT_JOB, 0, NULL) == VBGPD_E_ARGUMENT))         \
   X(vbgpd_field_count, (vbgpd_field_count(&n) == VBGPD_OK))                                                  \

@@ -99,10 +99,28 @@ static void short_context_desc(void) {
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_context_desc_init(&desc, 4));
 }
 
+static void told_what_is_wrong(vbgpd_context_desc desc) {
+  vbgpd_error_info info = {.struct_size = sizeof info};
+  char text[400];
+  int64_t needed = 0;
+  CHECK_STATUS(VBGPD_END_OF_DATA, vbgpd_context_desc_check(&desc, &info, text, sizeof text, &needed));
+  CHECK_STATUS(VBGPD_END_OF_DATA, vbgpd_context_desc_check(NULL, NULL, NULL, 0, NULL));
+  desc.threads = -3, desc.max_bytes = -7;
+  CHECK_OK(vbgpd_context_desc_check(&desc, &info, text, sizeof text, &needed));
+  CHECK(info.status == VBGPD_E_RANGE && info.object_kind == VBGPD_OBJECT_CONTEXT && info.argument == 1);
+  CHECK(info.value == -3);
+  CHECK(strstr(text, "threads is -3;") != NULL && strstr(text, "max_bytes is -7;") != NULL);
+  CHECK(needed == (int64_t)strlen(text));
+  CHECK_STATUS(VBGPD_E_BUFFER, vbgpd_context_desc_check(&desc, NULL, text, 5, &needed));
+  desc.struct_size = 2;
+  CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_context_desc_check(&desc, &info, text, sizeof text, &needed));
+}
+
 static void wrong_context_desc(void) {
   vbgpd_context_desc desc;
   vbgpd_context* made = NULL;
   CHECK_OK(vbgpd_context_desc_init(&desc, sizeof desc));
+  told_what_is_wrong(desc);
   desc.abi_version = VBGPD_ABI_VERSION + 1;
   CHECK_STATUS(VBGPD_E_VERSION, vbgpd_context_create(&desc, &made));
   desc.abi_version = VBGPD_ABI_VERSION;

@@ -40,8 +40,8 @@ class _Object:
         self._library, self._c = library, library.c
         handle = getattr(_raw, f"vbgpd_{self._name}")()
         status = getattr(self._c, create)(*arguments, ctypes.byref(handle))
-        if owner is None:
-            raise_failure(status)
+        if owner is None:  # a context: what it is made from tells
+            raise_failure(status, self._c.vbgpd_context_desc_check, *arguments)
         else:
             owner._check(status)
         self._handle = handle

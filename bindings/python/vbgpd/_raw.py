@@ -332,6 +332,9 @@ FUNCTIONS = {
     # context
     "vbgpd_context_desc_init": (c_int32, (POINTER(vbgpd_context_desc), c_uint32)),
     "vbgpd_context_create": (c_int32, (POINTER(vbgpd_context_desc), POINTER(vbgpd_context))),
+    "vbgpd_context_desc_check": (
+        c_int32,
+        (POINTER(vbgpd_context_desc), POINTER(vbgpd_error_info), POINTER(c_char), c_int64, POINTER(c_int64))),
     "vbgpd_context_destroy": (c_int32, (vbgpd_context,)),
     # log
     "vbgpd_context_log_next": (

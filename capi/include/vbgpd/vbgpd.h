@@ -138,6 +138,9 @@ typedef struct vbgpd_context_desc {
 } vbgpd_context_desc;
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_desc_init(vbgpd_context_desc* d, uint32_t struct_size);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_create(const vbgpd_context_desc* d, vbgpd_context** out); /* d NULL = defaults */
+/* Why vbgpd_context_create refuses a description, all its faults in one text: there is no object yet that could tell. Answers like
+ * vbgpd_context_error; VBGPD_END_OF_DATA: it does not. [any-thread] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_desc_check(const vbgpd_context_desc* d, vbgpd_error_info* info, char* text, int64_t cap, int64_t* needed);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_destroy(vbgpd_context*);
 
 /* ---- log: what the engine has to say; it never prints ------------------------------------------------------ */
