@@ -13,7 +13,8 @@ namespace {
 
 constexpr Real kEquilibrium = 1e-5;  // unbalanced force ratio of the gravity state
 constexpr Real kRest = 1e-6;         // kinetic energy over its peak
-constexpr Real kStanding = 1e-9;     // kinetic energy over weight x height: never set out
+constexpr Real kStanding = 1e-9;     // kinetic energy over weight x height: it stands still
+constexpr Real kSetOut = 1e-6;       // ... of its peak, beyond which the slope has set out
 constexpr std::int64_t kSlice = 20;  // steps between two looks
 
 class RunoutJob final : public SliceJob {
@@ -80,29 +81,25 @@ class RunoutJob final : public SliceJob {
     progress_.phase = Phase::kRunout;
     const Real end = option("end_time"), longest = 200 * fall;
     const Real begun = simulation_.get("time");
-    const Real scale = simulation_.get("total_mass") * simulation_.scene().gravity * simulation_.get("height");
+    weight_height_ = simulation_.get("total_mass") * simulation_.scene().gravity * simulation_.get("height");
+    // a model that had come to rest may have been driven anew: it is given time to set out again
+    const Real earliest = has_come_to_rest() ? begun + 2 * fall : begun;
     for (;;) {
-      const Real time = simulation_.get("time"), kinetic = simulation_.get("kinetic_energy");
-      const Real peak = simulation_.get("peak_kinetic_energy");
-      // a model that had come to rest may have been driven anew: it is given time to set out again
-      const bool rests =
-          kinetic < kRest * peak && peak > 1e3 * kStanding * scale && (begun <= 0 || time > begun + 2 * fall);
-      const bool stands = time > 2 * fall && peak < 1e3 * kStanding * scale && kinetic < kStanding * scale;
+      const Real time = simulation_.get("time");
       progress_.unbalanced_force_ratio = simulation_.get("unbalanced_force_ratio");
       progress_.fraction = end > 0 ? std::min(1.0, time / end) : 0;
-      if (rests || stands) {
-        result_.status = "AT_REST";
-        result_.reason =
-            rests ? "the kinetic energy fell below 1e-6 of its peak" : "the slope stands: it never set out";
+      if (time > earliest && has_come_to_rest()) {
+        at_rest("the kinetic energy fell below 1e-6 of its peak");
         break;
       }
+      if (stands(time, fall)) break;
       if (end > 0 && time >= end) {
-        result_.status = "TIME_REACHED", result_.reason = "still moving at the end time";
+        result_.status = "TIME_REACHED", result_.reason = "the end time was reached; " + kinetic_energy_now();
         break;
       }
       if (end == 0 && time > longest) {
         result_.status = "NOT_CONVERGED", outcome_ = Status::kNotConverged;
-        result_.reason = "still moving after " + number_text(time, 4) + " s";
+        result_.reason = "not at rest after " + number_text(time, 4) + " s; " + kinetic_energy_now();
         break;
       }
       std::int64_t left = kSlice;
@@ -116,6 +113,35 @@ class RunoutJob final : public SliceJob {
       co_yield Pause{};
     }
     conclude();
+  }
+
+  Real kinetic() const { return simulation_.get("kinetic_energy"); }
+  Real peak() const { return simulation_.get("peak_kinetic_energy"); }
+
+  bool has_come_to_rest() const { return kinetic() < kRest * peak() && peak() > kSetOut * weight_height_; }
+
+  /// A slope that never set out: it stands still, or vibrates without going any farther (elastic waves hardly fade).
+  bool stands(Real time, Real fall) {
+    constexpr Real kStays = 0.5;  // spacings
+    constexpr Real kLong = 4;     // times of fall
+    const Real spacing = std::sqrt(simulation_.get("spacing_x") * simulation_.get("spacing_y"));
+    const Real standing = simulation_.get("standing_time");
+    if (time > 2 * fall && peak() < kSetOut * weight_height_ && kinetic() < kStanding * weight_height_) {
+      at_rest("the slope stands: it never set out");
+      return true;
+    }
+    if (standing < kLong * fall || simulation_.get("max_displacement") > kStays * spacing ||
+        kinetic() > kSetOut * weight_height_)
+      return false;
+    at_rest("the slope stands: it vibrates, and went no farther for " + number_text(standing, 3) + " s");
+    return true;
+  }
+
+  void at_rest(std::string reason) { result_.status = "AT_REST", result_.reason = std::move(reason); }
+
+  std::string kinetic_energy_now() const {
+    return "the kinetic energy is " + number_text(kinetic(), 2) + " J/m" +
+           (peak() > 0 ? ", " + number_text(kinetic() / peak(), 2) + " of its peak" : "");
   }
 
   void diverge() {
@@ -132,7 +158,32 @@ class RunoutJob final : public SliceJob {
     result_.max_displacement = progress_.max_displacement = simulation_.get("max_displacement");
     result_.displacement_level = simulation_.get("displacement_level");
     result_.unbalanced_force_ratio = progress_.unbalanced_force_ratio;
+    tell_of_water();
+    constexpr Real kBalanced = 0.01;
+    if (result_.energy_residual > kBalanced)
+      result_.reason += "; the energy ledger misses " + number_text(100 * result_.energy_residual, 2) + " %";
   }
+
+  /// Pore pressures stay on their particles, however far the soil comes apart: high ones can lift it.
+  void tell_of_water() {
+    std::vector<double> pressure, mass, now, before;
+    const auto read = [&](const char* name, std::vector<double>& to) { simulation_.read(find_field(name), to); };
+    read("pore_pressure", pressure);
+    const bool dry = std::all_of(pressure.begin(), pressure.end(), [](double p) { return p == 0; });
+    const Drive& drive = simulation_.drive();
+    if (dry || !drive.loads.empty() || drive.kh != 0 || !(peak() > kSetOut * weight_height_)) return;
+    read("mass", mass), read("position", now), read("reference_position", before);
+    Real weight = 0;
+    for (std::size_t i = 0; i < mass.size(); ++i)
+      weight -= mass[i] * simulation_.scene().gravity * (now[2 * i + 1] - before[2 * i + 1]);
+    const Real water = simulation_.get("external_work") - weight;
+    if (water <= std::max<Real>(weight, 0)) return;
+    result_.reason +=
+        "; the pore pressures, which stay on the particles, did more work than the weight: they lift soil "
+        "that would drain";
+  }
+
+  Real weight_height_ = 0;  ///< of the section, J/m
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/outline.h"
+
 namespace vbgpd {
 
 namespace {
@@ -70,13 +72,42 @@ std::vector<bool> largest_mass(const Soil& soil) {
   return inside;
 }
 
-/// Where the slope meets the lower ground: the lowest vertex of the ground, and of those the one next to the slope.
-Vec2 toe_of(const std::vector<Point>& ground) {
-  Vec2 toe(ground.front().x, ground.front().y);
-  const auto crest = *std::max_element(ground.begin(), ground.end(), [](Point a, Point b) { return a.y < b.y; });
-  for (const Point& p : ground) {
-    const bool lower = p.y < toe.y(), same = p.y == toe.y();
-    if (lower || (same && std::fabs(p.x - crest.x) < std::fabs(toe.x() - crest.x))) toe = Vec2(p.x, p.y);
+/// The free outline from the highest ground to one side: way 1 to the right, -1 to the left, down a free face too.
+std::vector<Vec2> free_outline(const Section& section, const SceneDef& scene, int way) {
+  const Vec2 origin = section.lattice.origin;
+  const Vertices whole = local(counter_clockwise(scene.exterior), origin);
+  const Vertices outline = local(counter_clockwise(section.exterior), origin);
+  const std::vector<HeldEdge> held = held_edges(section.boundaries, whole, origin);
+  const Real same = 1e-9 * box_of(whole).extent();
+  const auto is_held = [&](const Vec2& a, const Vec2& b) {
+    return std::any_of(held.begin(), held.end(),
+                       [&](const HeldEdge& e) { return distance_to_segment((a + b) / 2, e.a, e.b) <= same; });
+  };
+  const std::size_t n = outline.size();
+  std::size_t at = 0;
+  for (std::size_t k = 1; k < n; ++k) {
+    const Real higher = outline[k].y() - outline[at].y();
+    if (higher > same || (higher >= -same && way * (outline[k].x() - outline[at].x()) > 0)) at = k;
+  }
+  std::vector<Vec2> line{outline[at] + origin};
+  for (std::size_t steps = 1; steps < n; ++steps) {
+    const std::size_t next = way > 0 ? (at + n - 1) % n : (at + 1) % n;
+    if (is_held(outline[at], outline[next])) break;
+    line.push_back(outline[next] + origin);
+    at = next;
+  }
+  return line;
+}
+
+/// The foot of the slope: the point farthest below the straight line from the highest ground to the end of the free
+/// outline; that end where none is below it.
+Vec2 toe_of(const std::vector<Vec2>& line, int way) {
+  const Vec2 chord = line.back() - line.front();
+  Vec2 toe = line.back();
+  Real deepest = 1e-9 * chord.squaredNorm();
+  for (const Vec2& p : line) {
+    const Real below = -way * cross(chord, p - line.front());
+    if (below > deepest) deepest = below, toe = p;
   }
   return toe;
 }
@@ -85,28 +116,34 @@ Vec2 toe_of(const std::vector<Point>& ground) {
 
 RunoutShape runout_shape(const Simulation& simulation) {
   const Soil soil = soil_of(simulation);
-  const Vec2 toe = toe_of(simulation.section().ground);
+  const Section& section = simulation.section();
   Real top = -std::numeric_limits<Real>::infinity();
-  for (const Point& p : simulation.section().ground) top = std::max(top, p.y);
+  for (const Point& p : section.ground) top = std::max(top, p.y);
   const std::vector<bool> inside = largest_mass(soil);
+  const auto moved = [&](std::size_t i) { return soil.way(i).norm() >= soil.spacing; };
   RunoutShape shape;
-  Real total = 0, drift = 0;
+  Real total = 0;
   for (std::size_t i = 0; i < soil.size(); ++i) {
     total += soil.volume[i];
     if (soil.plastic[i] > 0) shape.plastic_fraction += soil.volume[i];
     if (top - soil.start(i).y() < kNear * soil.spacing)
       shape.crest_settlement = std::max(shape.crest_settlement, -soil.way(i).y());
-    if ((soil.start(i) - toe).norm() < kNear * soil.spacing)
-      shape.toe_displacement = std::max(shape.toe_displacement, soil.way(i).norm());
-    if (soil.way(i).norm() < soil.spacing) continue;
-    shape.moved_area += soil.volume[i], drift += soil.volume[i] * soil.way(i).x();
+    if (moved(i)) shape.moved_area += soil.volume[i];
   }
   if (total > 0) shape.plastic_fraction /= total;
-  for (std::size_t i = 0; i < soil.size(); ++i)
-    if (inside[i] && soil.way(i).norm() >= soil.spacing) {
-      const Real beyond = (soil.position(i).x() - toe.x()) * (drift >= 0 ? 1 : -1) + soil.spacing / 2;
-      shape.runout_distance = std::max(shape.runout_distance, beyond);
+  Real lowest = std::numeric_limits<Real>::infinity();
+  for (const int way : {1, -1}) {
+    const Vec2 toe = toe_of(free_outline(section, simulation.scene(), way), way);
+    Real at_toe = 0, front = 0;
+    for (std::size_t i = 0; i < soil.size(); ++i) {
+      if ((soil.start(i) - toe).norm() < kNear * soil.spacing) at_toe = std::max(at_toe, soil.way(i).norm());
+      if (inside[i] && moved(i) && way * soil.way(i).x() > 0)
+        front = std::max(front, way * (soil.position(i).x() - toe.x()) + soil.spacing / 2);
     }
+    const bool farther = front > shape.runout_distance;
+    if (!farther && (front < shape.runout_distance || toe.y() >= lowest)) continue;
+    lowest = toe.y(), shape.toe_displacement = at_toe, shape.runout_distance = front;
+  }
   return shape;
 }
 

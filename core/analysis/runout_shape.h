@@ -10,8 +10,11 @@ namespace vbgpd {
 struct RunoutShape {
   Real crest_settlement =
       0;  ///< largest sinking of the soil that lay within a spacing and a half of the highest ground, m
+  /// The toe is the foot of the slope on the side where the front went farther (the lower one as long as none did): of
+  /// the free outline from the highest ground to that side, the point farthest below the straight line from end to end.
   Real toe_displacement = 0;  ///< largest way of the soil within one and a half spacings of the toe, m
-  Real runout_distance = 0;   ///< front of the connected mass that moved by more than a spacing, beyond the toe, m
+  /// Front of the connected mass that moved by more than a spacing to that side, beyond the toe, m.
+  Real runout_distance = 0;
   Real moved_area = 0;        ///< soil that moved by more than a spacing, m2
   Real plastic_fraction = 0;  ///< share of the soil that has yielded
 };

@@ -92,8 +92,9 @@ std::vector<FlowWall> walls_of(const Section& section, const SceneDef& scene) {
 
 bool is_soil(const Seed& seed) { return seed.hold == Hold::kFree && seed.active; }
 
-/// Loads press on the outermost particle of every column. The discrete normal of the operators (surface_load.h) has parts
-/// of both signs in the rows below: they cancel while the rows stay together, and throw soil up once it comes apart.
+/// Loads press on the outermost particle of every column. The discrete normal of the operators (surface_load.h) has
+/// parts of both signs in the rows below: they cancel while the rows stay together, and throw soil up once it comes
+/// apart.
 std::vector<bool> outermost(const Section& section) {
   std::map<Index, std::size_t> top;
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {

@@ -29,6 +29,7 @@ void FlowSimulation::write_velocity(const std::vector<double>& rows) {
     state_.motion[4 * i + 2] = rows[2 * id], state_.motion[4 * i + 3] = rows[2 * id + 1];
   }
   if (ledger_.open) ledger_.external += kinetic_energy() - before;
+  farther_at_ = time_;
 }
 
 void FlowSimulation::set_drive(const Drive& drive) {
@@ -69,6 +70,7 @@ void FlowSimulation::take_forces(Drive drive, Outside outside) {
   model_.pore_pressure = std::move(outside.pore_pressure);
   outside.pore_pressure = Array{};
   drive_ = std::move(drive), outside_ = std::move(outside);
+  farther_at_ = time_;
   if (!lists_.force.present()) return;
   lists_.pore_pressure = std::move(placed);
   place_forces(model_, state_, lists_);

@@ -19,7 +19,7 @@ StepReport FlowSimulation::march(const Goal& goal, const StepWatch& watch) {
   std::int64_t kept_at = 0;
   while (report.steps < goal.steps && time_ < goal.time) {
     report.status = watch();
-    if (report.status != Status::kOk) return report;
+    if (report.status != Status::kOk) break;
     const StepLength length = step_towards(goal.time, time_, longest);
     c.time_step = length.time_step;
     if (report.steps - kept_at >= kKeep) kept = save(), kept_at = report.steps;
@@ -39,6 +39,7 @@ StepReport FlowSimulation::march(const Goal& goal, const StepWatch& watch) {
     time_ = length.last ? goal.time : time_ + c.time_step;
     refresh_neighbours(c.time_step);
   }
+  note_farthest();
   return report;
 }
 

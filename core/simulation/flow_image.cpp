@@ -81,6 +81,8 @@ StateImage FlowSimulation::image() const {
                  {"strength_reduction_factor", factor_},
                  {"damping", damping_},
                  {"peak_kinetic_energy", peak_kinetic_},
+                 {"farthest", farthest_},
+                 {"farther_at", farther_at_},
                  {"neighbour_searches", static_cast<double>(searches_)},
                  {"unbalanced_force", last_.unbalanced},
                  {"guard_energy", last_.guard},
@@ -124,6 +126,8 @@ void FlowSimulation::restore_image(const StateImage& image) {
   const Real factor = image_number(image, "strength_reduction_factor", 1e-3, 1e3);
   const Real damping = image_number(image, "damping", 0, std::nextafter(1.0, 0.0));
   const Real peak = image_number(image, "peak_kinetic_energy", 0, kLarge);
+  const Real farthest = image_number(image, "farthest", 0, kLarge),
+             farther_at = image_number(image, "farther_at", 0, kLarge);
   const Real searches = image_number(image, "neighbour_searches", 0, kCount);
   FlowSums last;
   last.unbalanced = image_number(image, "unbalanced_force", 0, kLarge);
@@ -177,7 +181,7 @@ void FlowSimulation::restore_image(const StateImage& image) {
   settle(std::move(state), std::move(lists), std::move(scratch));
   set_factor(factor);
   last_ = last, ledger_ = ledger;
-  damping_ = damping, time_ = time, peak_kinetic_ = peak;
+  damping_ = damping, time_ = time, peak_kinetic_ = peak, farthest_ = farthest, farther_at_ = farther_at;
   steps_ = static_cast<std::int64_t>(steps), searches_ = static_cast<std::int64_t>(searches);
 }
 

@@ -15,7 +15,7 @@ struct FlowSimulation::Saved final : SavedState {
   FlowState state;
   FlowSums last;
   Ledger ledger;
-  Real factor = 1, time = 0, peak_kinetic = 0;
+  Real factor = 1, time = 0, peak_kinetic = 0, farthest = 0, farther_at = 0;
   std::int64_t steps = 0;
   Drive drive;
   Outside outside;
@@ -89,7 +89,7 @@ void FlowSimulation::state_was_changed() {
 }
 
 void FlowSimulation::set_factor(Real factor) {
-  factor_ = factor;
+  factor_ = factor, farther_at_ = time_;
   laws_.clear();
   for (std::size_t k = 0; k < model_.law.size(); ++k) {
     FlowLaw law;
@@ -215,6 +215,13 @@ void FlowSimulation::run_step(const FlowControls& c, FlowSums& sums) {
   last_ = sums;
 }
 
+/// A slope that vibrates goes on by less than a thousandth of a spacing.
+void FlowSimulation::note_farthest() {
+  constexpr Real kFarther = 1e-3;
+  const Real now = monitors().max_displacement;
+  if (now > farthest_ + kFarther * model_.spacing) farthest_ = now, farther_at_ = time_;
+}
+
 void FlowSimulation::open_ledger() {
   if (ledger_.open) return;
   ledger_.open = true;
@@ -232,6 +239,7 @@ std::shared_ptr<SavedState> FlowSimulation::save() const {
   auto saved = std::make_shared<Saved>();
   saved->state = state_, saved->last = last_, saved->ledger = ledger_;
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->peak_kinetic = peak_kinetic_;
+  saved->farthest = farthest_, saved->farther_at = farther_at_;
   saved->drive = drive_, saved->outside = outside();
   saved->counted.emplace(saved_, saved->state.bytes() + bytes_of(saved->outside));
   return saved;
@@ -261,6 +269,7 @@ void FlowSimulation::restore(const SavedState& other) {
   last_ = saved.last, ledger_ = saved.ledger;
   set_factor(saved.factor);
   time_ = saved.time, steps_ = saved.steps, peak_kinetic_ = saved.peak_kinetic;
+  farthest_ = saved.farthest, farther_at_ = saved.farther_at;
 }
 
 void FlowSimulation::settle(FlowState&& state, FlowLists&& lists, FlowScratch&& scratch) {

@@ -70,6 +70,7 @@ class FlowSimulation final : public Simulation {
   void arrange(const FlowLists& lists, FlowScratch& scratch) const;
   /// Takes over a state with what follows from it.
   void settle(FlowState&& state, FlowLists&& lists, FlowScratch&& scratch);
+  void note_farthest();
   void refresh_neighbours(Real time_step);  ///< after a step
   /// One step of `state`, which lies as the lists say; its new motion is left in the scratch, its new stress too where
   /// this answers true.
@@ -108,6 +109,8 @@ class FlowSimulation final : public Simulation {
   Real room_ = 0;  ///< every particle may move so far before the lists are looked at, m
   Ledger ledger_;
   Real factor_ = 1, damping_ = 0, time_ = 0, peak_kinetic_ = 0;
+  Real farthest_ = 0,
+       farther_at_ = 0;  ///< largest displacement so far, m, and when it was reached or the drive changed
   std::int64_t steps_ = 0, searches_ = 0, epoch_ = 0;
   bool yields_ = false;
   Drive drive_;

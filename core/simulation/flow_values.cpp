@@ -38,8 +38,7 @@ Real FlowSimulation::energy_residual() const {
   const Real residual = ledger_.external - kinetic - ledger_.internal - ledger_.bond - ledger_.viscous - guard -
                         ledger_.damping - ledger_.contact;
   const Real largest = std::max({std::fabs(ledger_.external), std::fabs(kinetic), std::fabs(ledger_.internal),
-                                 std::fabs(ledger_.viscous), std::fabs(ledger_.damping),
-                                 1e-6 * ledger_.stored_before});
+                                 std::fabs(ledger_.viscous), std::fabs(ledger_.damping), 1e-6 * ledger_.stored_before});
   return largest > 0 ? std::fabs(residual) / largest : 0;
 }
 
@@ -103,6 +102,7 @@ double FlowSimulation::get(std::string_view name) const {
   if (name == "bytes") return static_cast<double>(memory().total());
   if (name == "kinetic_energy") return kinetic_energy();
   if (name == "peak_kinetic_energy") return peak_kinetic_;
+  if (name == "standing_time") return time_ - farther_at_;
   if (name == "elastic_energy") return elastic_energy();
   if (name == "plastic_dissipation")
     return ledger_.open ? ledger_.internal + ledger_.bond - (stored_energy() - ledger_.stored_before) : 0;

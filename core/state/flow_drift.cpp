@@ -88,8 +88,8 @@ Real room_left(const FlowModel& m, const FlowState& s, const FlowLists& lists) {
   }
   Real apart = 0;
   for (const FlowTouch& t : lists.touching)
-    apart = std::max(apart, square_of_difference(boxes[static_cast<std::size_t>(t.a)],
-                                                 boxes[static_cast<std::size_t>(t.b)]));
+    apart = std::max(apart,
+                     square_of_difference(boxes[static_cast<std::size_t>(t.a)], boxes[static_cast<std::size_t>(t.b)]));
   return std::min(own_room, (skin - std::sqrt(apart)) / 2);
 }
 

@@ -114,14 +114,30 @@ class Run {
     result_.reason = status == VBGPD_CANCELLED ? "stopped on request" : text(handle, "reason");
     if (status == VBGPD_E_DIVERGED) result_.status = "DIVERGED", result_.reason = error_text(handle);
     result_.scheme = text(handle, "scheme"), result_.flow_rule = text(handle, "flow_rule");
+    if (status == VBGPD_CANCELLED) conclude_here();
     if (status != VBGPD_OK) return status;
+    take_sample(handle);
+    return status;
+  }
+
+  /// A run that was stopped on request tells what it has done, too.
+  void conclude_here() {
+    if (!result_.series.empty() && result_.series.back().time == number(model_, "time")) return;
+    vbgpd_job* handle = nullptr;
+    require(vbgpd_job_create_runout(model_, &handle), model_);
+    const Job job(handle);
+    if (vbgpd_job_set_f64(handle, "end_time", VBGPD_STRLEN, number(model_, "time")) < 0) return;  // it has not begun
+    require(vbgpd_job_run(handle, 0, nullptr, nullptr, nullptr), handle);
+    take_sample(handle);
+  }
+
+  void take_sample(vbgpd_job* handle) {
     Sample s;
     s.time = number(model_, "time"), s.kinetic_energy = number(model_, "kinetic_energy");
     s.plastic_fraction = number(handle, "plastic_fraction"), s.crest_settlement = number(handle, "crest_settlement");
     s.toe_displacement = number(handle, "toe_displacement"), s.runout_distance = number(handle, "runout_distance");
     s.moved_area = number(handle, "moved_area"), s.energy_residual = number(handle, "energy_residual");
     result_.series.push_back(s);
-    return status;
   }
 
   void frame() {

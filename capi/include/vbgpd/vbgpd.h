@@ -330,13 +330,17 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_snapshot(const vbgpd_model*, void*
  * at rest) in updated-Lagrangian form: bonds come and go with the neighbours, walls are mirrors that go on straight beyond
  * the section where nothing adjoins. `from` may be fresh, loaded by an equilibrium job, or failed by a strength reduction; it
  * is not changed. The new model has soil only (same ids unless layers are off) and is stepped, set, read, saved like any other; loads stay on their
- * particles, pore pressures move with them. get_f64 also knows peak_kinetic_energy, viscous_dissipation, contact_work,
- * yielding_area, viscosity (alpha c h, m2/s), neighbour_searches. VBGPD_E_STATE: `from` is one already; UNSUPPORTED: moving boundaries. */
+ * particles (those on top), pore pressures move with them; a material without "tension_cutoff" bears no tension, where strength
+ * reduction lets it bear that of the cone's apex. get_f64 also knows peak_kinetic_energy, standing_time (s for which no
+ * particle went farther by a thousandth of a spacing), viscous_dissipation, contact_work, yielding_area, viscosity (alpha c h, m2/s),
+ * neighbour_searches. VBGPD_E_STATE: `from` is one already; UNSUPPORTED: moving boundaries. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_runout(const vbgpd_model* from, vbgpd_model** out);
 /* Works on a run-out model. A model without stress is first brought to equilibrium under gravity without strengths (phase 1);
- * then it moves (phase 6) until its kinetic energy is below 1e-6 of its peak, or to the job's "end_time" (s of the model's
- * time; 0 = to rest). Afterwards another job goes on with the same model. Results: status AT_REST or TIME_REACHED,
- * crest_settlement, toe_displacement, runout_distance, moved_area, plastic_fraction, max_displacement, energy_residual. */
+ * then it moves (phase 6) until its kinetic energy is below 1e-6 of its peak, until it is plain that the slope stands, or to the
+ * job's "end_time" (s of the model's time; 0 = to rest). Afterwards another job goes on with the same model. Results: status
+ * AT_REST or TIME_REACHED, crest_settlement (of the highest ground), toe_displacement (soil at the foot of the slope on the side
+ * where the front went farther), runout_distance (front of the connected mass that moved a spacing or more, beyond that foot),
+ * moved_area (soil that did), plastic_fraction, max_displacement, energy_residual. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_runout(vbgpd_model*, vbgpd_job** out);
 
 /* ---- jobs: long analyses in slices ------------------------------------------------------------------------- */
