@@ -106,6 +106,11 @@ StateImage state_from(const schema::Checkpoint& from) {
   return state;
 }
 
+std::uint32_t format_of(const StateImage& image) {
+  const bool gaps = std::any_of(image.rows.begin(), image.rows.end(), [](const auto& r) { return r.name == "gap"; });
+  return image.runs_out || gaps ? kCheckpointFormat : 1;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> checkpoint_to_bytes(const Checkpoint& c) {
@@ -134,10 +139,9 @@ std::vector<std::uint8_t> checkpoint_to_bytes(const Checkpoint& c) {
   const auto row_list = out.CreateVector(rows);
   const auto plastic_list = out.CreateVectorOfStructs(bonds(c.state.plastic));
   const auto placed_list = c.state.placed_strain.empty() ? 0 : out.CreateVectorOfStructs(bonds(c.state.placed_strain));
-  const auto root =
-      schema::CreateCheckpoint(out, c.state.runs_out ? kCheckpointFormat : 1, scene_bytes, c.spacing_factor,
-                               c.lattice_multiple, c.coarsening, c.state.particles, c.state.bonds, number_list,
-                               row_list, plastic_list, c.state.hash, c.state.placed, placed_list, c.state.runs_out);
+  const auto root = schema::CreateCheckpoint(out, format_of(c.state), scene_bytes, c.spacing_factor, c.lattice_multiple,
+                                             c.coarsening, c.state.particles, c.state.bonds, number_list, row_list,
+                                             plastic_list, c.state.hash, c.state.placed, placed_list, c.state.runs_out);
   schema::FinishCheckpointBuffer(out, root);
   return {out.GetBufferPointer(), out.GetBufferPointer() + out.GetSize()};
 }

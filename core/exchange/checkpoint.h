@@ -11,7 +11,8 @@
 
 namespace vbgpd {
 
-/// The newest that is read, and that of run-outs; models at rest are written as 1.
+/// The newest that is read, and that of run-outs and of models at rest with soil that can come apart (4: its gaps);
+/// other models at rest are written as 1.
 inline constexpr std::uint32_t kCheckpointFormat = 4;
 
 struct Checkpoint {

@@ -16,7 +16,7 @@ StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
   c.local_damping = damping_;
   c.mobility_x = dynamic_mobility_x_.data(), c.mobility_y = dynamic_mobility_y_.data();
   c.constants = constants_.data();
-  c.dilation_cap = dilation_cap_.data();
+  c.dilation_cap = dilation_cap_.data(), c.keeps_gaps = true;
   c.cohesion_scale = 1 / factor_;
   c.ledger = true;
   // A particle that outruns the waves has left the method; the state of at most kKeep steps before is the last good

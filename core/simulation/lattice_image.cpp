@@ -93,6 +93,7 @@ StateImage LatticeSimulation::image() const {
   out.rows.push_back({"velocity", 2, by_id.gather({&state_.velocity_x, &state_.velocity_y})});
   if (state_.plastic_volume.present())
     out.rows.push_back({"plastic_volume", 1, by_id.gather({&state_.plastic_volume})});
+  if (state_.gap.present()) out.rows.push_back({"gap", 1, by_id.gather({&state_.gap})});
   if (outside_.pore_pressure.present())
     out.rows.push_back({"pore_pressure", 1, by_id.gather({&outside_.pore_pressure})});
   if (outside_.external_x.present() || outside_.external_y.present()) {
@@ -170,6 +171,9 @@ void LatticeSimulation::restore_image(const StateImage& image) {
   take("displacement", {&state.displacement_x, &state.displacement_y});
   take("velocity", {&state.velocity_x, &state.velocity_y});
   if (state.plastic_volume.present()) take("plastic_volume", {&state.plastic_volume});
+  const bool from_format_1 = state.gap.present() && image_rows(image, "gap", 1, n) == nullptr;
+  if (from_format_1) state.gap = Array{};  // which had opened volume in plastic_volume, and no gap in its hash
+  else if (state.gap.present()) take("gap", {&state.gap});
   const auto take_strain = [&](const std::vector<StateImage::PlasticBond>& from, Array& to) {
     if (to.present()) take_plastic(m, from, to);
     else if (!from.empty()) refuse_image("has plastic strain where nothing yields");
@@ -179,6 +183,7 @@ void LatticeSimulation::restore_image(const StateImage& image) {
   // the hash goes through the storage, whose padding depends on the pack width
   if (image_number(image, "pack_width", 1, 64) == m.width && hash_of(state, layers) != image.hash)
     refuse_image("does not hold the state it says: its hash differs");
+  if (from_format_1) state.gap.allocate(storage, 8, m.heap);
 
   if (other) {
     other->state = std::move(state);

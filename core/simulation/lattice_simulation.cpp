@@ -96,7 +96,7 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.uses_algorithm[0] = m.features.has_algorithm[0], d.uses_algorithm[1] = m.features.has_algorithm[1];
   d.ux = s.displacement_x.data(), d.uy = s.displacement_y.data(), d.vx = s.velocity_x.data(),
   d.vy = s.velocity_y.data();
-  d.plastic_volume = s.plastic_volume.data(), d.plastic_strain = s.plastic_strain.data();
+  d.plastic_volume = s.plastic_volume.data(), d.gap = s.gap.data(), d.plastic_strain = s.plastic_strain.data();
   d.lxx = t.gradient_xx.data(), d.lxy = t.gradient_xy.data(), d.lyx = t.gradient_yx.data(),
   d.lyy = t.gradient_yy.data();
   d.dilation = t.dilation.data();

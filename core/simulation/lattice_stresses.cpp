@@ -23,9 +23,11 @@ void LatticeSimulation::take_stresses(const Simulation& softer) {
     if (model_.seed_of[i] < 0) continue;
     const auto pair = static_cast<std::size_t>(model_.material[i] * (model_.materials + 1));
     const Real kept = from->model_.pair_elastic[pair].bulk_modulus / model_.pair_elastic[pair].bulk_modulus;
-    const Real opened = old.plastic_volume.present() ? old.plastic_volume[i] : 0;
+    const Real dilated = old.plastic_volume.present() ? old.plastic_volume[i] : 0;
+    const Real gap = old.gap.present() ? old.gap[i] : 0;
+    s.gap[i] = gap;
     s.plastic_volume[i] =
-        opened + (1 - kept) * (from->scratch_.gradient_xx[i] + from->scratch_.gradient_yy[i] - opened);
+        dilated + (1 - kept) * (from->scratch_.gradient_xx[i] + from->scratch_.gradient_yy[i] - dilated - gap);
   }
   const auto width = static_cast<std::size_t>(model_.width);
   for_each_record(model_, [&](const BondPack& p, int l, std::size_t i, std::size_t j, std::size_t r) {

@@ -96,7 +96,7 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
   const double storage = places.filled + places.walls + 2 * width * places.lines;
   const double offsets = forward_offsets(scene, lattice), packs = blocks * (shape.bonded ? offsets : 1);
   constexpr double kCopies = 3;  // the state, that of the monitors and that of the energy audit
-  const double state = 4 + (shape.volumetric ? 1 : 0) + (shape.plastic && !shape.bonded ? 3 : 0);
+  const double state = 4 + (shape.volumetric ? 2 : 0) + (shape.plastic && !shape.bonded ? 3 : 0);
   const double shifted = scene.jitter > 0 ? 1 : 0, weights = shifted * width * sizeof(double);
   const double model =
       13 + (shape.gradient ? 1 : 0) + (shape.uneven ? 1 : 0) + 2 * shifted + (has_ground_water(scene) ? 1 : 0);

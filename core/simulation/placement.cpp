@@ -94,7 +94,7 @@ State carried_over(const Section& section, const Model& from, const State& state
     if (from.seed_of[i] < 0 || to.seed_of[i] < 0) continue;
     s.displacement_x[i] = state.displacement_x[i], s.displacement_y[i] = state.displacement_y[i];
     s.velocity_x[i] = state.velocity_x[i], s.velocity_y[i] = state.velocity_y[i];
-    if (state.plastic_volume.present()) s.plastic_volume[i] = state.plastic_volume[i];
+    if (state.plastic_volume.present()) s.plastic_volume[i] = state.plastic_volume[i], s.gap[i] = state.gap[i];
   }
   const auto width = static_cast<std::size_t>(to.width);
   if (places) {

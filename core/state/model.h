@@ -84,6 +84,7 @@ struct State {
   Array displacement_x, displacement_y;  ///< m
   Array velocity_x, velocity_y;          ///< m/s (relaxation: m per pseudo-time)
   Array plastic_volume;  ///< theta^p, plastic volumetric strain of a particle; absent when no law dilates
+  Array gap;             ///< volumetric strain by which a particle in tension has come apart; absent likewise
   Array plastic_strain;  ///< [slots x 3 x width] (or particles) xx, yy, xy; absent when nothing yields
   Array placed_strain;   ///< the part of it that is the shape soil was placed in; absent when none was
 
@@ -94,6 +95,7 @@ struct State {
     f("velocity_x", s.velocity_x);
     f("velocity_y", s.velocity_y);
     f("plastic_volume", s.plastic_volume);
+    f("gap", s.gap);
     f("plastic_strain", s.plastic_strain);
     f("placed_strain", s.placed_strain);
   }
@@ -106,11 +108,11 @@ struct State {
 struct Scratch {
   Array weighted_x, weighted_y;                              ///< V_i u_i, m3
   Array gradient_xx, gradient_xy, gradient_yx, gradient_yy;  ///< L_i (of the displacement, total form)
-  Array dilation;                                            ///< elastic volumetric strain tr L_i - theta^p_i
+  Array dilation;                                            ///< elastic volumetric strain tr L_i - theta^p_i - gap_i
   Array flux_xx, flux_xy, flux_yx, flux_yy;                  ///< V_i S_i of VB5, then V_i S_i M_i^-1
   Array pair_force_x, pair_force_y;                          ///< sum of B_ij s_ij n_ij / r
   Array volume_source;       ///< volume that turned plastic in this step; absent like plastic_volume
-  Array opening, mean_load;  ///< for its work: volumetric strain that opened, V_i times mean stress; absent likewise
+  Array opening, mean_load;  ///< for its work: by how much the gap grew, V_i times mean stress; absent likewise
   void allocate(const Model& m);
   std::size_t bytes() const;
 };

@@ -58,6 +58,7 @@ void State::allocate(const Model& m) {
   velocity_x.allocate(n, 3, m.heap);
   velocity_y.allocate(n, 4, m.heap);
   plastic_volume.allocate(m.features.volumetric_plastic ? n : 0, 5, m.heap);
+  gap.allocate(m.features.volumetric_plastic ? n : 0, 8, m.heap);
   const std::size_t records =
       m.features.bond == BondLaw::kNone ? n : static_cast<std::size_t>(m.slots) * static_cast<std::size_t>(m.width);
   plastic_strain.allocate(m.features.plastic ? 3 * records : 0, 6, m.heap);

@@ -19,10 +19,13 @@ inline void weigh_pass(const StepData& shared, const Chunk& chunk) {
   }
 }
 
-/// Mean stress above the tension cut-off (or the apex) opens the particle: theta^p grows at once. Handing such volume
-/// to neighbours through the bonds, as dilatancy is, would pump energy into those under pressure (measured:
-/// cohesionless faces blow up). With kLedger what opened is kept for the books. in  u [n] m, plastic_volume [n]   out
-/// L [n], dilation = tr L - theta^p [n]; sums of VB5 set to zero
+/// Mean stress above the tension cut-off (or the apex) opens the particle by what exceeds the cap. In a relaxation,
+/// whose vibrations mean nothing, a gap closes where it opened: kept, it would push the soil apart, crack by crack
+/// (measured: slopes without tension come to no verdict). In true dynamics it is kept as plastic volume: bonds give
+/// back other work than they took where their other end has changed (measured: an impact gains energy). Handing such
+/// volume to neighbours through the bonds, as dilatancy is, would pump energy into those under pressure (measured:
+/// cohesionless faces blow up). With kLedger by how much it opened in this step is kept for the books. in  u [n] m,
+/// plastic_volume [n]   out  L [n], gap [n], dilation = tr L - theta^p - gap [n]; sums of VB5 set to zero
 template <class Sites, bool kLedger>
 inline void gradient_pass(const StepData& shared, const Controls& c, const Chunk& chunk) {
   const StepData d = shared;  // its pointers stay in registers across stores
@@ -46,13 +49,13 @@ inline void gradient_pass(const StepData& shared, const Controls& c, const Chunk
     store(d.lyy + i, lyy);
     Pack dilation = lxx + lyy;
     if (d.plastic_volume != nullptr) {
-      const Pack opened = load(d.plastic_volume + i);
-      dilation -= opened;
-      if (c.dilation_cap != nullptr) {  // tension cut-off: what exceeds the cap opens the particle for good
-        const Pack over = larger(dilation - load(c.dilation_cap + i), zero);
-        dilation -= over;
-        if (any(over > zero)) store(d.plastic_volume + i, opened + over);
-        if constexpr (kLedger) store(d.opening + i, over);
+      dilation -= load(d.plastic_volume + i);
+      if (c.dilation_cap != nullptr) {
+        const Pack gap = larger(dilation - load(c.dilation_cap + i), zero);
+        dilation -= gap;
+        if constexpr (kLedger) store(d.opening + i, gap - load(d.gap + i));
+        if (c.keeps_gaps) store(d.plastic_volume + i, load(d.plastic_volume + i) + gap), store(d.gap + i, zero);
+        else store(d.gap + i, gap);
       }
     }
     store(d.dilation + i, dilation);

@@ -17,6 +17,7 @@ struct Controls {
   const double* mobility_y = nullptr;
   const LawConstants* constants = nullptr;  ///< per material pair, at the present strength reduction factor
   const double* dilation_cap = nullptr;     ///< largest elastic volumetric strain of a particle; null = none
+  bool keeps_gaps = false;                  ///< what exceeds it turns plastic, else it closes again
   double cohesion_scale = 1;                ///< 1/F, for cohesion that grows with depth
   bool ledger = false;                      ///< book works and dissipation
 };
@@ -48,7 +49,7 @@ struct StepData {
   double least_r2;  ///< m2, nearer pairs are no bonds but padding
   bool uses_algorithm[2];
   // state
-  double *ux, *uy, *vx, *vy, *plastic_volume, *plastic_strain;
+  double *ux, *uy, *vx, *vy, *plastic_volume, *gap, *plastic_strain;
   // scratch
   double *weighted_x, *weighted_y, *lxx, *lxy, *lyx, *lyy, *dilation, *zxx, *zxy, *zyx, *zyy, *px, *py, *volume_source,
       *opening, *mean_load;

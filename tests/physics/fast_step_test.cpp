@@ -84,10 +84,11 @@ const std::vector<Variant>& variants() {
   return list;
 }
 
-void compare(const SceneDef& scene, const Kernels& kernels, const char* name) {
+void compare(const SceneDef& scene, const Kernels& kernels, const char* name, bool keeps_gaps) {
   LatticeSimulation fast(scene, {}, kernels);
   const Model& m = fast.model();
   test::ReferenceStep slow(scene, fast.section(), m, 1);
+  slow.keeps_gaps = keeps_gaps;
   // relaxation-like steps with plain momentum 0.9: enough plastic flow to touch every branch
   const double dt = 0.5;
   Array mobility_x, mobility_y;
@@ -103,7 +104,7 @@ void compare(const SceneDef& scene, const Kernels& kernels, const char* name) {
   Controls c;
   c.time_step = dt, c.momentum = 0.9;
   c.mobility_x = mobility_x.data(), c.mobility_y = mobility_y.data(), c.constants = fast.constants().data();
-  c.dilation_cap = fast.dilation_cap().data();
+  c.dilation_cap = fast.dilation_cap().data(), c.keeps_gaps = keeps_gaps;
   const StepData d = fast.step_data_for_tests();
   Workers workers(1);
   std::vector<Sums> partial(m.chunks.size());
@@ -140,7 +141,7 @@ TEST(FastStep, EqualsThePlainStepForEveryLawAndInstructionSet) {
     for (const Variant& v : variants()) {
       SceneDef scene = plain_scene();
       v.change(scene);
-      compare(scene, kernels, v.name);
+      for (const bool keeps_gaps : {false, true}) compare(scene, kernels, v.name, keeps_gaps);
     }
   }
 }

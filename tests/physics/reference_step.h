@@ -59,8 +59,9 @@ class ReferenceStep {
         if (bonded(i, j)) L[i] += (u[j] - u[i]) * phi(i, j).transpose();  // VB2
       theta[i] = L[i].trace() - plastic_volume[i];
       const LawConstants& c = constants_[pair_of(i, i)];
-      const Real over = std::max(0.0, theta[i] - c.t / c.bulk_modulus);  // tension cut-off opens the particle
-      theta[i] -= over, plastic_volume[i] += over;
+      const Real over = std::max(0.0, theta[i] - c.t / c.bulk_modulus);  // tension cut-off: a gap
+      theta[i] -= over;
+      if (keeps_gaps) plastic_volume[i] += over;
     }
     const bool bonds = scene_.bond != "none";
     for (std::size_t i = 0; i < n; ++i)
@@ -115,6 +116,7 @@ class ReferenceStep {
 
   std::vector<Vec2> x, u, v;
   std::vector<Real> plastic_volume;
+  bool keeps_gaps = false;  ///< true dynamics; else they close where they opened
   std::vector<Mat2> inverse_moment;
   std::map<std::pair<std::size_t, std::size_t>, Eigen::Vector3d> plastic_strain;
 

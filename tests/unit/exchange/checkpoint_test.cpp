@@ -35,6 +35,19 @@ TEST(CheckpointFormats, OfModelsAtRestAreReadUpToTheNewest) {
   EXPECT_EQ(status_of(bytes_in_format(at_rest, kCheckpointFormat + 1)), Status::kVersion);
 }
 
+TEST(CheckpointFormats, OfModelsAtRestWithoutGapsAreTakenOver) {
+  LatticeSimulation old(bar_column(4), {}, best_kernels());
+  old.relax(20, {});
+  StateImage image = old.image();
+  ASSERT_GT(std::erase_if(image.rows, [](const StateImage::Rows& r) { return r.name == "gap"; }), 0u);
+  Array gap = std::move(const_cast<State&>(old.state()).gap);  // as a library of format 1 had it
+  image.hash = old.state_hash();
+  LatticeSimulation fresh(bar_column(4), {}, best_kernels());
+  fresh.restore_image(image);
+  EXPECT_EQ(fresh.get("steps"), old.get("steps"));
+  EXPECT_TRUE(fresh.state().gap.present());
+}
+
 TEST(CheckpointFormats, OfRunoutsAreReadWithTheSameNeighbourListsOnly) {
   const auto sliding = runout(bar_column(4));
   EXPECT_EQ(status_of(bytes_in_format(*sliding, kCheckpointFormat)), Status::kOk);
