@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/thickness.h"
 #include "scene/wording.h"
 
 namespace vbgpd {
@@ -89,8 +90,12 @@ void take_third_grid(const Level& third, const Level& coarse, const Level& fine,
     const double p = order.slow ? std::max(std::isnan(order.value) ? kLow : order.value, kLow) : 1;
     refuse(e, fine, "NOT_FIRST_ORDER", std::fabs(extrapolated(coarse, fine, p) - fine.factor_of_safety) + noise,
            "the three grids do not differ at first order (ratio of differences " + number_text(order.ratio, 3) + ")");
+  } else if (std::isnan(order.value)) {  // differences of other signs within the brackets, or orders next to nothing
+    const double slow = order.slow ? std::fabs(extrapolated(coarse, fine, kLow) - e.value) : 0;
+    e.error = noise + std::max(difference / 2, slow);
+    e.reason += "; what a third grid says of the order cannot be read";
   } else {
-    const double p = std::isnan(order.value) ? 1 : std::clamp(order.value, kLow, kHigh);
+    const double p = std::clamp(order.value, kLow, kHigh);
     const double change = std::fabs(extrapolated(coarse, fine, p) - e.value);
     e.error = noise + std::min(change, difference / 2);
     e.reason += ", the order checked on a third grid (" + number_text(order.value, 2) + " observed)";
@@ -154,13 +159,12 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
     const std::string doubt = e.status == "OK" ? doubt_of(*coarse, fine) : std::string();
     if (!doubt.empty()) e.error = std::max(e.error, difference + noise), e.reason += "; " + doubt;
   }
-  constexpr double kResolved = 2;
   // Bonds as long as a layer is thick know both its sides and nothing of itself. Differences to a grid whose support
   // radius (2.6 spacings) is that long follow no order: the limit may lie anywhere between the value of the finest grid
   // (a high order) and that of first order. The coarse grid has hardly seen the layer and stands too near: below first
   // order lies half as much again.
   constexpr double kSupport = 2.6, kAgain = 1.5;
-  if (e.status == "OK" && coarse != nullptr && cells >= kResolved &&
+  if (e.status == "OK" && coarse != nullptr && cells >= kResolvedCells &&
       thinnest.thickness / spacing_of(*coarse) < kSupport) {
     e.value = (fine.factor_of_safety + e.value) / 2;
     e.error = (kAgain - 0.5) * difference + noise;
@@ -168,10 +172,13 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
                thinnest.material + "' (" + number_text(thinnest.thickness, 3) +
                " m), so that the order is unknown: the middle between its limits, and the estimate reaches beyond both";
   }
-  if (cells < kResolved)
-    refuse(e, fine, "THIN_LAYER", std::max(e.error, kAgain * difference + noise),
+  if (cells < kResolvedCells) {
+    refuse(e, fine, "THIN_LAYER", kNone,
            "the layer of '" + thinnest.material + "' is " + number_text(thinnest.thickness, 3) + " m thick, only " +
-               number_text(cells, 2) + " spacings of the finest grid (2 are needed)");
+               number_text(cells, 2) + " spacings of the finest grid (" + number_text(kResolvedCells) +
+               " are needed), which hardly sees it: if it is weak, the factor of safety may be far too high");
+    e.discretisation = false;
+  }
   // The face of soil with next to no cohesion fails as a skin, as thin as the grid allows: half the spacing, half the
   // skin, and nothing that could be extrapolated.
   constexpr double kThinner = 0.85;
@@ -187,8 +194,8 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
   constexpr double kBooks = 0.01;
   if (fine.energy_residual > kBooks)
     refuse(e, fine, "ENERGY_UNBALANCED", std::max(e.error, fine.energy_residual * fine.factor_of_safety),
-           "the energy books of the flow do not close (residual " + number_text(fine.energy_residual, 2) + ")");
-  e.error = std::max(e.error, half);
+           "the energy books of the flow do not close (residual " + number_text(fine.energy_residual, 3) + ")");
+  e.error = e.status == "THIN_LAYER" ? kNone : std::max(e.error, half);
   return e;
 }
 

@@ -244,7 +244,7 @@ Slices GridSearch::overshoot(double& factor) {
       // F_e past its peak: a skin has run away or the section has softened; the flow at the peak is the one to follow.
       // F_e still creeping up: soil that hardens slowly (undrained) is read at the level of any other
       if (falls >= 2 || level > 2 * kLevel) {
-        if (!(best < factor)) co_return;
+        if (best_state == nullptr || !(best < factor)) co_return;  // the careful way decides
         flow_ = best;
         simulation_.restore(*best_state);
         co_return;
@@ -292,13 +292,18 @@ Slices GridSearch::fast_bracket() {
   double low = std::max(options_.srf_min, notched(flow_));
   // lower end: the same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further
   // down
+  constexpr double kWornOut = 0.04;
+  const double read = flow_, first_low = low;
   double first_flow = kNone;
   patience_ = kLong;
   for (double step = 2 * notch; !done_ && !(stable_ >= low);) {
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
     if (done_ || verdict_ == Verdict::kStable) break;
-    if (low <= options_.srf_min && verdict_ == Verdict::kFailed) {
-      end_below();
+    // soil that the flow has worn out fails below what untouched soil bears: from there on the careful way
+    if (verdict_ == Verdict::kFailed && (low <= options_.srf_min || flow_ < (1 - kWornOut) * first_flow)) {
+      failed_ = flow_ = kNone, failing_ = nullptr, patience_ = TrialRules{}.patience;
+      options_.guess = first_low;
+      for (Slices s = bisection(); s.next();) co_yield Pause{};
       co_return;
     }
     double balance = flow_ - notch;  // undecided: the flow is all but in balance, stay clear of that
@@ -329,15 +334,16 @@ Slices GridSearch::fast_bracket() {
     if (verdict_ != Verdict::kUndecided) simulation_.restore(*standing_);
     for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
-  constexpr double kWorn = 0.003;
-  const bool worn = failing_flow_ < (1 - kWorn) * first_flow;
-  if (!done_ && (softened_ || worn))
+  constexpr double kWorn = 0.003, kStray = 0.03;
+  const bool worn = failing_flow_<(1 - kWorn) * first_flow, strayed = stable_>(1 + kStray) * read;
+  if (!done_ && (softened_ || worn || strayed))
     for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
 }
 
 /// Non-associated soil may soften while it flows (unbalanced force that grows is a sign, F_e that falls while the flow
 /// is followed down another): then a failure reached through a flow holds for softened soil only, and the upper end is
-/// shown again from the untouched gravity state.
+/// shown again from the untouched gravity state. So is that of a bracket far above where the flow was read: soil
+/// that dilates changes the longer it flows.
 Slices GridSearch::upper_end_from_gravity() {
   const double notch = kNotch * options_.tolerance;
   const double through_flow = failed_;

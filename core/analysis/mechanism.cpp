@@ -241,11 +241,19 @@ Vec2 nearest_on(const Polygon& exterior, const Vec2& x) {
   return best;
 }
 
-/// Lengthens the line at both ends to the outline: straight on where that is near, else the shortest way.
+/// Lengthens the line at both ends to the outline, with as little turn towards it as brings it there within `most`.
 void reach_surface(std::vector<Vec2>& line, const Polygon& exterior, double most) {
   const auto extend = [&](const Vec2& end, const Vec2& direction) {
-    const double straight = first_hit(exterior, end, direction);
-    return straight <= most ? Vec2(end + straight * direction) : nearest_on(exterior, end);
+    const Vec2 nearest = nearest_on(exterior, end), towards = nearest - end;
+    const double turn = std::atan2(cross(direction, towards), direction.dot(towards));
+    constexpr int kParts = 36;
+    for (int k = 0; k < kParts; ++k) {
+      const double a = turn * k / kParts;
+      const Vec2 ray(std::cos(a) * direction.x() - std::sin(a) * direction.y(),
+                     std::sin(a) * direction.x() + std::cos(a) * direction.y());
+      if (const double way = first_hit(exterior, end, ray); way <= most) return Vec2(end + way * ray);
+    }
+    return nearest;
   };
   const std::size_t n = line.size(), span = std::min<std::size_t>(3, n - 1);
   const Vec2 head = extend(line.front(), (line.front() - line[span]).normalized());
@@ -311,7 +319,7 @@ SlipSurface slip_surface(const Simulation& simulation, const Instant& before, co
   smooth(line, 4);
   draw_to_band(line, rate, 2.5 * spacing);
   smooth(line, 4);
-  reach_surface(line, section.exterior, 4 * spacing);
+  reach_surface(line, section.exterior, std::max(4 * spacing, 0.3 * section.height));
   if (line.front().x() > line.back().x()) std::reverse(line.begin(), line.end());
   for (const Vec2& p : line) out.line.push_back({p.x(), p.y()});
   return out;

@@ -246,11 +246,12 @@ class StrengthReductionJob final : public SliceJob {
     result_.status = now_.status, result_.reason = now_.reason;
     if (now_.status == "ENERGY_UNBALANCED") outcome_ = Status::kNotConverged;
     if (!stop_.empty()) result_.reason += "; " + stop_;
-    constexpr double kUseless = 0.2;
-    if (levels.size() > 1 && result_.error_estimate > kUseless * result_.factor_of_safety)
-      result_.reason += "; the estimate is " +
-                        number_text(std::round(100 * result_.error_estimate / result_.factor_of_safety)) +
-                        " % of the value: too coarse to judge the slope by, use a finer spacing";
+    constexpr double kWide = 0.1, kUseless = 0.2;
+    const double share = result_.error_estimate / result_.factor_of_safety;
+    if (levels.size() > 1 && share > kWide)
+      result_.reason += "; the estimate is " + number_text(std::round(100 * share)) +
+                        " % of the value: " + (share > kUseless ? "too coarse to judge the slope by, " : "") +
+                        "use a finer spacing";
     result_.reason += raised_cohesion(std::sqrt(levels.back().spacing_x * levels.back().spacing_y));
     if (evened_)
       result_.reason += "; '" + contrast_.stiffest + "' counted as " + number_text(option("stiffness_contrast")) +
@@ -325,6 +326,13 @@ class StrengthReductionJob final : public SliceJob {
     switch (search.end()) {
       case SearchEnd::kBelowMin:
         result_.status = "BELOW_MIN", outcome_ = Status::kNotConverged;
+        if (const std::vector<Level> before = whole(); !before.empty()) {
+          result_.status = "NOT_CONVERGED";
+          result_.reason = "the finest grid so far fails even at " + number_text(option("srf_min")) +
+                           ", where a coarser one stands at " + number_text(before.back().srf_stable) +
+                           ": no factor of safety can be told (soil that bears no tension may come apart column by "
+                           "column; another spacing may do)";
+        }
         break;
       case SearchEnd::kAboveMax:
         result_.status = "ABOVE_MAX", outcome_ = Status::kNotConverged;

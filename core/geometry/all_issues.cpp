@@ -2,7 +2,9 @@
 #include <iterator>
 
 #include "geometry/check.h"
+#include "geometry/thickness.h"
 #include "scene/validate.h"
+#include "scene/wording.h"
 
 namespace vbgpd {
 
@@ -11,6 +13,22 @@ namespace {
 /// The same fault seen twice: once as a value, once as a shape.
 bool same_place(const Issue& a, const Issue& b) {
   return a.severity == Severity::kError && a.object == b.object && a.object_id == b.object_id && a.item == b.item;
+}
+
+void warn_of_thin_soils(const SceneDef& scene, std::vector<Issue>& issues) {
+  if (scene.materials.size() < 2) return;
+  const std::vector<Real> thickness = material_thickness(scene, scene.spacing);
+  for (std::size_t m = 0; m < thickness.size(); ++m) {
+    if (!(thickness[m] < kResolvedCells * scene.spacing)) continue;
+    Issue issue;
+    issue.severity = Severity::kWarning, issue.status = Status::kOk, issue.object = ObjectKind::kMaterial;
+    issue.object_id = static_cast<std::int64_t>(m), issue.value = thickness[m];
+    issue.text = "material '" + scene.materials[m].name + "' is " + number_text(thickness[m], 3) + " m thick, " +
+                 number_text(thickness[m] / scene.spacing, 2) + " spacings; the grid sees soil from " +
+                 number_text(kResolvedCells) + " spacings on: if it is weak, use a spacing of at most " +
+                 number_text(thickness[m] / kResolvedCells, 2) + " m";
+    issues.push_back(std::move(issue));
+  }
 }
 
 }  // namespace
@@ -23,6 +41,8 @@ std::vector<Issue> all_issues(const SceneDef& scene) {
     const bool known = std::any_of(issues.begin(), end, [&](const Issue& i) { return same_place(i, shape); });
     if (!known) issues.push_back(std::move(shape));
   }
+  if (std::none_of(issues.begin(), issues.end(), [](const Issue& i) { return i.severity == Severity::kError; }))
+    warn_of_thin_soils(scene, issues);
   return issues;
 }
 

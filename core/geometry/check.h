@@ -13,7 +13,8 @@ namespace vbgpd {
 /// Warnings: a layer partly outside, a layer wholly painted over.
 std::vector<Issue> check_geometry(const SceneDef& scene);
 
-/// Everything that is wrong with a scene: validate() and check_geometry(), without saying one fault twice.
+/// Everything that is wrong with a scene: validate() and check_geometry(), without saying one fault twice. Where
+/// nothing is, a warning for every soil too thin for the scene's spacing.
 std::vector<Issue> all_issues(const SceneDef& scene);
 
 }  // namespace vbgpd

@@ -61,7 +61,7 @@ constexpr std::array kEntries = {
     entry(&MaterialDef::dilatancy_angle, kMaterial, "dilatancy_angle", "degree", 0, kAngle,
           "Angle of dilatancy, at most the friction angle."),
     entry(&MaterialDef::tension_cutoff, kMaterial, "tension_cutoff", "Pa", kNone, kNotNegative,
-          "Largest tension; absent = the apex of the cone."),
+          "Largest tension; absent = the apex of the cone, in a run-out none."),
     entry(&MaterialDef::cohesion_gradient, kMaterial, "cohesion_gradient", "Pa m-1", 0, kNotNegative,
           "Growth of cohesion with depth below cohesion_datum, law undrained."),
     entry(&MaterialDef::cohesion_datum, kMaterial, "cohesion_datum", "m", kNone, kAny,

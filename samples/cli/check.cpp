@@ -50,8 +50,8 @@ void print_memory(const std::vector<vbgpd_feature>& features) {
 
 void print_forecast(const vbgpd_model* model) {
   std::printf(
-      "  %-10s factor of safety on this grid about %s and %.1f MB (an estimate, within a factor of three: "
-      "%.2g s per step measured here, %s steps)\n",
+      "  %-10s factor of safety on this grid about %s and %.1f MB (an estimate, mostly within a factor of four, "
+      "less than a tenth of what soil without tension can take: %.2g s per step measured here, %s steps)\n",
       "expected", duration(number(model, "forecast_seconds")).c_str(), number(model, "forecast_bytes") / 1e6,
       number(model, "forecast_step_seconds"),
       with_thousands(static_cast<std::int64_t>(number(model, "forecast_steps"))).c_str());

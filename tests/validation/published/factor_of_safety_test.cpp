@@ -138,6 +138,32 @@ TEST(FactorOfSafety, OutsideTheRangeAskedIsSaidSo) {
   EXPECT_EQ(solve(s, 1).status, "BELOW_MIN");
 }
 
+/// 45 degrees, 10 m high on 6 m, without tension. Limit equilibrium (Spencer) with a dry tension crack: 1.087.
+SceneDef cracked_slope() {
+  SceneDef s = small_slope();
+  s.exterior = {{0, 0}, {46, 0}, {46, 6}, {28, 6}, {18, 16}, {0, 16}};
+  MaterialDef& m = s.materials[0];
+  m.unit_weight = 19e3, m.cohesion = 15e3, m.friction_angle = 20, m.tension_cutoff = 0;
+  return s;
+}
+
+TEST(FactorOfSafety, OfSoilWithoutTensionIsThatOfACrackedSlope) {
+  const JobResult r = solve(cracked_slope(), 1);
+  EXPECT_EQ(r.status, "OK") << r.reason;
+  EXPECT_GT(r.factor_of_safety, 1.087);  // one coarse grid lies above the limit of fine ones
+  EXPECT_LT(r.factor_of_safety, 1.06 * 1.087);
+  SceneDef bonded = cracked_slope();
+  bonded.materials[0].tension_cutoff = kNone;
+  EXPECT_GT(solve(bonded, 1).factor_of_safety, r.factor_of_safety);
+}
+
+TEST(FactorOfSafety, BelowTheRangeIsSaidOnlyOfSoilThatNothingHasWornOut) {
+  SceneDef s = cracked_slope();
+  const double lowest = 1.05;
+  s.strength_reduction.srf_min = lowest;
+  EXPECT_GT(solve(s, 1).srf_stable, lowest);
+}
+
 TEST(FactorOfSafety, IsNotDecidedByAStepLimit) {
   const auto simulation = Simulation::compile(small_slope(), {});
   const auto job = make_strength_reduction(*simulation);
@@ -187,6 +213,19 @@ TEST(SlipSurface, OfExampleOneRunsFromCrestToToe) {
   EXPECT_GT(r.slip_surface.back().x, 29);
   EXPECT_GT(r.sliding_area, 50);
   EXPECT_LT(r.sliding_area, 90);
+}
+
+TEST(SlipSurface, MeetsTheGroundWithoutAHook) {
+  const JobResult r = solve(scene("gl_1"), 1);
+  const auto piece = [&](std::size_t k) {
+    return Vec2(r.slip_surface[k + 1].x - r.slip_surface[k].x, r.slip_surface[k + 1].y - r.slip_surface[k].y);
+  };
+  const auto turn = [&](std::size_t a, std::size_t b) {
+    return std::acos(piece(a).normalized().dot(piece(b).normalized())) * 180 / kPi;
+  };
+  const std::size_t last = r.slip_surface.size() - 2;
+  EXPECT_LT(turn(0, 1), 30);
+  EXPECT_LT(turn(last - 1, last), 30);
 }
 
 }  // namespace

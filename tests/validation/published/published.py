@@ -79,7 +79,7 @@ def main():
             "displacement_level": result["displacement_level"], "reason": result["reason"],
         }
         rows.append(row)
-        shown = "-" if value is None else f"{value:.3f} +- {row['error_estimate']:.3f}"
+        shown = "-" if value is None else f"{value:.3f} {margin(row['error_estimate'], '+- ')}"
         print(f"{path.stem:18s} {shown:18s} published {low} .. {high}  outside "
               f"{'-' if row['outside'] is None else format(100 * row['outside'], '+.1f') + ' %'}  {row['status']}  "
               f"{row['particles']} particles  {row['cpu_seconds']:.1f} CPU-s", flush=True)
@@ -101,6 +101,10 @@ def main():
 
 
 
+def margin(error, sign):
+    """A grid that does not see a layer has no estimate."""
+    return "no estimate" if error is None else f"{sign}{error:.3f}"
+
 
 def markdown(rows, options):
     lines = ["| scene | published | VB-GPD | estimate | grids | outside | particles | steps | CPU s | wall s |",
@@ -110,7 +114,7 @@ def markdown(rows, options):
             lines.append(f"| {r['scene']} | {r.get('low')} to {r.get('high')} | {r.get('status', 'refused')} | | | | | | | |")
             continue
         grids = ", ".join("-" if g is None else f"{g:.3f}" for g in r["grids"])
-        lines.append(f"| {r['scene']} | {r['low']:.3g} to {r['high']:.4g} | {r['factor_of_safety']:.3f} | ±{r['error_estimate']:.3f} | {grids} | "
+        lines.append(f"| {r['scene']} | {r['low']:.3g} to {r['high']:.4g} | {r['factor_of_safety']:.3f} | {margin(r['error_estimate'], '±')} | {grids} | "
                      f"{100 * r['outside']:+.1f} % | {r['particles']} | {r['steps']} | {r['cpu_seconds']:.1f} | {r['wall_seconds']:.1f} |")
     lines.append("")
     lines.append(f"{datetime.date.today()}, {platform.machine()}, spacing of the scene files divided by {options.refine:g}, "
