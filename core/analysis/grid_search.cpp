@@ -335,7 +335,8 @@ Slices GridSearch::fast_bracket() {
     for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
   constexpr double kWorn = 0.003, kStray = 0.03;
-  const bool worn = failing_flow_<(1 - kWorn) * first_flow, strayed = stable_>(1 + kStray) * read;
+  const bool worn = failing_flow_ < (1 - kWorn) * first_flow;
+  const bool strayed = stable_ > (1 + kStray) * read;
   if (!done_ && (softened_ || worn || strayed))
     for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
 }

@@ -125,8 +125,9 @@ inline ContactForce image_water(const FlowData& d, const FlowControls& c, int i,
           scale * ((mine[2] + its[2] + share * b[2]) * x + (mine[3] + its[3] + share * b[3]) * y)};
 }
 
-/// How far behind a wall it still pushes, and how far beyond its end in a hollow corner, in reaches of the guard.
-inline constexpr double kDeep = 8;
+/// How far behind a wall it still pushes, and how far beyond its end in a hollow corner, in reaches of the guard of the
+/// largest particles: one that started close to a wall has a small guard, not less depth to come back from.
+inline constexpr double kDeep = 4;
 
 /// Push of a wall on a particle nearer than half the guard distance: a spring with a dashpot, across the wall.
 struct Push {
@@ -146,7 +147,7 @@ inline Push push_of(const FlowData& d, const FlowControls& c, int i, const FlowW
     const bool in_front_of_it = high ? along(other) >= other.low : along(other) <= other.high;
     if (in_front_of_it) return push;
     if ((high ? w.hollow_high : w.hollow_low) != 0) {  // it went through where the walls meet: both push it back
-      if (magnitude(s - foot) > kDeep * reach) return push;
+      if (magnitude(s - foot) > kDeep * c.guard_reach) return push;
     } else {  // the corner repels, once
       if (!high) return push;
       const double ex = m[0] - w.x - foot * w.ny, ey = m[1] - w.y + foot * w.nx;
@@ -155,7 +156,7 @@ inline Push push_of(const FlowData& d, const FlowControls& c, int i, const FlowW
       push.nx = ex / distance, push.ny = ey / distance;
     }
   }
-  if (distance >= reach || distance < -kDeep * reach) return push;
+  if (distance >= reach || distance < -kDeep * c.guard_reach) return push;
   const double density = d.constants[4l * i + 1] / d.constants[4l * i], speed = root(modulus / density);
   const double across = m[2] * push.nx + m[3] * push.ny;
   push.near = true;

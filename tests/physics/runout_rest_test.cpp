@@ -53,39 +53,5 @@ TEST(RunoutRest, AnEndTimeBeforeThatIsSaidWithTheEnergyThatIsLeft) {
   EXPECT_NE(job->result().reason.find("of its peak"), std::string::npos) << job->result().reason;
 }
 
-TEST(RunoutLoad, PressesNothingUp) {
-  SceneDef scene = slope(soil("mohr_coulomb", 10e3, 20), 1);
-  LoadDef load;
-  load.x0 = 2, load.x1 = 10, load.pressure = load.pressure_end = 50e3;
-  scene.loads = {load};
-  const auto s = runout(scene);
-  double total = 0;
-  for (std::size_t id = 0; id < static_cast<std::size_t>(s->particle_count()); ++id) {
-    EXPECT_LT(s->model().force_y[id], 0) << id;
-    total -= s->model().force_y[id];
-  }
-  EXPECT_NEAR(total, 220 * 20e3 + 8 * 50e3, 1);
-}
-
-TEST(RunoutWalls, SoilThatWentThroughAHollowCornerIsPushedBack) {
-  SceneDef scene = block(soil("mohr_coulomb", 10e3, 20), 1, 1, 0.1);
-  for (BoundaryDef& b : scene.boundaries) b.kind = BoundaryKind::kRoller;
-  const auto s = runout(scene);
-  FlowState& state = s->state();
-  std::size_t corner = 0;
-  for (std::size_t i = 1; i < static_cast<std::size_t>(s->particle_count()); ++i)
-    if (state.motion[4 * i] + state.motion[4 * i + 1] < state.motion[4 * corner] + state.motion[4 * corner + 1])
-      corner = i;
-  const double id = state.particle[corner];
-  state.motion[4 * corner] = state.motion[4 * corner + 1] = -0.02;
-  s->state_was_changed();
-  s->step(200, nullptr);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(s->particle_count()); ++i)
-    if (s->state().particle[i] == id) {
-      EXPECT_GT(s->state().motion[4 * i], 0);
-      EXPECT_GT(s->state().motion[4 * i + 1], 0);
-    }
-}
-
 }  // namespace
 }  // namespace vbgpd::test
