@@ -251,7 +251,7 @@ class Model(_Object):
         return made
 
     def set(self, name, value):
-        """"damping" or "strength_reduction_factor" of step()."""
+        """"damping", "strength_reduction_factor", "kh", "kv" or (not of a run-out) "time_step_factor" of step()."""
         key = name.encode()
         self._call("set_f64", key, len(key), value)
 

@@ -34,9 +34,16 @@ def column(aspect):
                 330 * 2650 * GRAVITY * height, 4, False, "drucker_prager")
 
 
+def rods(aspect):
+    """True 2D: aluminium rods 0.1 m high or as wide, rough base and wall (Nguyen et al. 2017)."""
+    width, height = (0.1 / aspect, 0.1) if aspect < 1 else (0.1, 0.1 * aspect)
+    return Case(f"rods a = {aspect:g}", width, height, math.sqrt(width * height / 800), 21.9, 0.0, 2040, 5.84e6, 3, True,
+                "drucker_prager")
+
+
 CASES = [bars("bars H/10", 10), bars("bars H/20", 20), bars("bars H/40", 40), bars("bars H/20, E x 7", 20, 5.88e6),
          bars("bars H/20, 0.2 spacings off the lattice", 20, jitter=0.2),
-         column(0.5), column(1), column(2), column(4),
+         column(0.5), column(1), column(2), column(4), rods(0.5), rods(1), rods(2),
          Case("vertical cut 10 m, c 5 kPa, phi 25", 10, 10, 0.5, 25.0, 5e3, 1998, 1e7, 20, False, "mohr_coulomb"),
          Case("clay slope 2:1 on 5 m of clay, c 15 kPa, phi 0", 55, 10, 0.5, 0.0, 15e3, 1998, 1e7, 40, False, "undrained",
               ((0, 0), (55, 0), (55, 5), (35, 5), (15, 15), (0, 15)))]
@@ -59,7 +66,7 @@ def model_of(context, case):
                                     friction_angle=case.phi)
         profile.add_layer(soil)
         profile.add_boundary(vbgpd.Boundary.FIXED, side="base")
-        profile.add_boundary(vbgpd.Boundary.ROLLER, side="left")
+        profile.add_boundary(vbgpd.Boundary.FIXED if case.rough_left else vbgpd.Boundary.ROLLER, side="left")
         if case.outline:
             profile.add_boundary(vbgpd.Boundary.ROLLER, side="right")
         profile.set("spacing", case.spacing)
