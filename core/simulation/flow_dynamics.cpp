@@ -62,7 +62,7 @@ RelaxReport FlowSimulation::relax(std::int64_t steps, const RelaxOptions& option
   r.since_restart = r.steps;
   r.unbalanced_force_ratio = model_.force_scale > 0 ? sums.unbalanced / model_.force_scale : 0;
   r.velocity = std::sqrt(sums.velocity2);
-  r.max_displacement = monitors().max_displacement;
+  r.max_displacement = max_displacement();
   return r;
 }
 

@@ -218,7 +218,7 @@ void FlowSimulation::run_step(const FlowControls& c, FlowSums& sums) {
 /// A slope that vibrates goes on by less than a thousandth of a spacing.
 void FlowSimulation::note_farthest() {
   constexpr Real kFarther = 1e-3;
-  const Real now = monitors().max_displacement;
+  const Real now = max_displacement();
   if (now > farthest_ + kFarther * model_.spacing) farthest_ = now, farther_at_ = time_;
 }
 

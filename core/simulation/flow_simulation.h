@@ -83,6 +83,7 @@ class FlowSimulation final : public Simulation {
   void open_ledger();
   Real stored_energy() const;
   Real kinetic_energy() const;
+  Real max_displacement() const;
   Real energy_residual() const;
   Real plastic_bond_count() const;
   bool plastic(std::size_t i, std::size_t j, std::size_t slot) const;

@@ -143,7 +143,9 @@ inline Push push_of(const FlowData& d, const FlowControls& c, int i, const FlowW
   double distance = distance_to(w, m[0], m[1]);
   if (foot != s) {  // beyond an end
     const bool high = s > w.high;
-    const FlowWall& other = d.walls[high ? w.next : w.previous];
+    const std::int32_t neighbour = high ? w.next : w.previous;
+    if (neighbour < 0) return push;
+    const FlowWall& other = d.walls[neighbour];
     const bool in_front_of_it = high ? along(other) >= other.low : along(other) <= other.high;
     if (in_front_of_it) return push;
     if ((high ? w.hollow_high : w.hollow_low) != 0) {  // it went through where the walls meet: both push it back

@@ -49,12 +49,13 @@ inline void gradient_pass(const StepData& shared, const Controls& c, const Chunk
     store(d.lyy + i, lyy);
     Pack dilation = lxx + lyy;
     if (d.plastic_volume != nullptr) {
-      dilation -= load(d.plastic_volume + i);
+      const Pack plastic = load(d.plastic_volume + i);
+      dilation -= plastic;
       if (c.dilation_cap != nullptr) {
         const Pack gap = larger(dilation - load(c.dilation_cap + i), zero);
         dilation -= gap;
         if constexpr (kLedger) store(d.opening + i, gap - load(d.gap + i));
-        if (c.keeps_gaps) store(d.plastic_volume + i, load(d.plastic_volume + i) + gap), store(d.gap + i, zero);
+        if (c.keeps_gaps) store(d.plastic_volume + i, plastic + gap), store(d.gap + i, zero);
         else store(d.gap + i, gap);
       }
     }
