@@ -164,7 +164,7 @@ class RunoutJob final : public SliceJob {
       result_.reason += "; the energy ledger misses " + number_text(100 * result_.energy_residual, 2) + " %";
   }
 
-  /// Pore pressures stay on their particles, however far the soil comes apart: high ones can lift it.
+  /// Pore pressures stay on their particles until these come apart; high ones may yet do more than would drain.
   void tell_of_water() {
     std::vector<double> pressure, mass, now, before;
     const auto read = [&](const char* name, std::vector<double>& to) { simulation_.read(find_field(name), to); };
@@ -179,7 +179,7 @@ class RunoutJob final : public SliceJob {
     const Real water = simulation_.get("external_work") - weight;
     if (water <= std::max<Real>(weight, 0)) return;
     result_.reason +=
-        "; the pore pressures, which stay on the particles, did more work than the weight: they lift soil "
+        "; the pore pressures, which stay on the particles until these come apart, did more work than the weight: they lift soil "
         "that would drain";
   }
 

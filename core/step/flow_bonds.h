@@ -3,6 +3,7 @@
 #pragma once
 
 #include "step/flow_pair_laws.h"
+#include "step/flow_water.h"
 
 namespace vbgpd {
 inline namespace VBGPD_ISA {
@@ -75,7 +76,7 @@ inline void bond_pass(const FlowData& shared, const FlowControls& shared_control
     const double* const stress = d.stress + 4l * i;
     const double* const m = d.inverse + 4l * i;
     const double half = d.volume[i] > 0 ? 0.5 / d.volume[i] : 0;
-    const double total = stress[3] - (d.pore_pressure == nullptr ? 0 : d.pore_pressure[i]);
+    const double total = stress[3] - water_pressure(d, c, i);
     const double zxx = stress[0] + total - half * z[0], zxy = stress[2] - half * z[1];
     const double zyx = stress[2] - half * z[2], zyy = stress[1] + total - half * z[3];
     double* const flux = d.flux + 4l * i;

@@ -30,7 +30,7 @@ void flow_step(const FlowData& d, const FlowControls& c, Workers& workers, FlowS
   // virtual bonds: traction turned, loaded, relaxed by plastic flow; stress flux; gradient of the stress
   each([&](int first, int last, FlowSums& s) { bond_pass<PairLaw, kDiffuse>(d, c, first, last, s); });
   // conjugate stress of the mirror images
-  press_ghosts(d);
+  press_ghosts(d, c);
   // forces from virtual power, viscosity, guard, contact with walls, gravity and loads; kick, drift; stress diffusion
   each([&](int first, int last, FlowSums& s) { motion_pass<PairLaw, kDiffuse>(d, c, first, last, s); });
 

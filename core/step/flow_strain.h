@@ -5,6 +5,7 @@
 #include "step/flow_approach.h"
 #include "step/flow_pair_laws.h"
 #include "step/flow_stress.h"
+#include "step/flow_water.h"
 
 namespace vbgpd {
 inline namespace VBGPD_ISA {
@@ -166,6 +167,7 @@ inline void strain_pass(const FlowData& shared, const FlowControls& shared_contr
     Quads stress = load_quads(d.stress, four.at);
     Pack gap = load_each(d.gap, four.at), plastic_strain = load_each(d.plastic_strain, four.at), dead{};
     if constexpr (PairLaw::kDies) dead = load_each(d.dead, four.at);
+    const Pack gap_before = gap;
     const StressUpdate update =
         update_stress<PairLaw>(soils_at(d, c, four), c.time_step, l, stress, gap, plastic_strain, dead);
     four.put(d.stress, stress);
@@ -181,7 +183,11 @@ inline void strain_pass(const FlowData& shared, const FlowControls& shared_contr
       const double volume = d.volume[i + k];
       d.bond[4l * (i + k)] = ratio[k], d.bond[4l * (i + k) + 1] = share[k];
       sums.internal += volume * update.work[k];
-      if (d.pore_pressure != nullptr) sums.external += volume * d.pore_pressure[i + k] * update.opening[k];
+      if (d.pore_pressure != nullptr) {
+        const double set = d.pore_pressure[i + k], bulk = c.laws[d.soil[i + k]].constants.bulk_modulus;
+        const double water = water_pressure(set, bulk, gap_before[k]) + water_pressure(set, bulk, gap[k]);
+        sums.external += 0.5 * volume * water * update.opening[k];
+      }
       if (update.return_ratio[k] < 1) sums.yielding += volume;
     }
   }

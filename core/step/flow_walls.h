@@ -1,7 +1,7 @@
 // Walls of a run-out step. Soil sees its mirror image behind a wall; a contact guard keeps the nearest row in front.
 #pragma once
 
-#include "step/flow_data.h"
+#include "step/flow_water.h"
 
 namespace vbgpd {
 inline namespace VBGPD_ISA {
@@ -47,11 +47,12 @@ inline void place_ghosts(const FlowData& d) {
 /// The mirrored stress is what the wall would see; over the distance 2d between particle and image it grows by the
 /// weight: P_g -= 2 d rho b (x) n (only across where the wall is smooth), at most doubling the pressure there: soil
 /// that carries no stress is not held up.
-VBGPD_INLINE void add_weight(const FlowData& d, const FlowWall& w, int parent, const double* image, double* weight) {
+VBGPD_INLINE void add_weight(const FlowData& d, const FlowControls& c, const FlowWall& w, int parent, const double* image,
+                             double* weight) {
   const double depth = -distance_to(w, image[0], image[1]);
   const double* const s = d.stress + 4l * parent;
   double pressure = -(s[3] + s[0] * w.nx * w.nx + s[1] * w.ny * w.ny + 2 * s[2] * w.nx * w.ny);
-  if (d.pore_pressure != nullptr) pressure += d.pore_pressure[parent];
+  pressure += water_pressure(d, c, parent);
   double share = 2 * depth / d.volume[parent];
   const double across = -share * (d.force[2l * parent] * w.nx + d.force[2l * parent + 1] * w.ny);
   if (across > 0 && across > pressure) share *= larger(pressure, 0) / across;
@@ -64,7 +65,7 @@ VBGPD_INLINE void add_weight(const FlowData& d, const FlowWall& w, int parent, c
   weight[0] += bx * w.nx, weight[1] += bx * w.ny, weight[2] += by * w.nx, weight[3] += by * w.ny;
 }
 
-inline void press_ghosts(const FlowData& d) {
+inline void press_ghosts(const FlowData& d, const FlowControls& c) {
   for (int g = 0; g < d.ghost_count; ++g) {
     const FlowGhost& ghost = d.ghosts[g];
     double* const flux = d.flux + 4l * (d.particles + 1 + g);
@@ -74,8 +75,8 @@ inline void press_ghosts(const FlowData& d) {
     if (ghost.second >= 0) mirror_flux(d.walls[ghost.second], flux);
     double* const weight = d.weight + 4l * (1 + g);
     for (int k = 0; k < 4; ++k) weight[k] = 0;
-    add_weight(d, d.walls[ghost.wall], ghost.parent, image, weight);
-    if (ghost.second >= 0) add_weight(d, d.walls[ghost.second], ghost.parent, image, weight);
+    add_weight(d, c, d.walls[ghost.wall], ghost.parent, image, weight);
+    if (ghost.second >= 0) add_weight(d, c, d.walls[ghost.second], ghost.parent, image, weight);
   }
 }
 
@@ -109,7 +110,7 @@ inline ContactForce image_water(const FlowData& d, const FlowControls& c, int i,
   const FlowGhost& ghost = d.ghosts[j - d.particles - 1];
   const auto flux = [&](int k, double* f) {
     const double* const m = d.inverse + 4l * k;
-    const double p = d.pore_pressure[k];
+    const double p = water_pressure(d, c, k);
     f[0] = -p * m[0], f[1] = f[2] = -p * m[1], f[3] = -p * m[2];
   };
   double mine[4], its[4];
@@ -118,7 +119,7 @@ inline ContactForce image_water(const FlowData& d, const FlowControls& c, int i,
   if (ghost.second >= 0) mirror_flux(d.walls[ghost.second], its);
   const FlowWall& w = d.walls[ghost.wall];
   const double *const t = d.stress + 4l * ghost.parent, *const b = d.weight + 4l * (j - d.particles);
-  const double p = d.pore_pressure[ghost.parent];
+  const double p = water_pressure(d, c, ghost.parent);
   const double total = p - (t[3] + t[0] * w.nx * w.nx + t[1] * w.ny * w.ny + 2 * t[2] * w.nx * w.ny);
   const double share = total > 0 ? smaller(larger(p / total, 0), 1) : 0;
   return {scale * ((mine[0] + its[0] + share * b[0]) * x + (mine[1] + its[1] + share * b[1]) * y),

@@ -76,6 +76,28 @@ TEST(RunoutWater, RisingPressureMakesAStableSlopeSlide) {
   EXPECT_EQ(other->state_hash(), s->state_hash());
 }
 
+/// Water that pushed as hard however far the soil came apart would lift the mass: it did more work than the weight.
+TEST(RunoutWater, SoilThatFloatsIsNotLifted) {
+  const auto s = runout(sand_slope());
+  load_by_gravity(*s);
+  set_pressure(*s, [](double x, double y) { return 0.9 * kWeight * depth(x, y); });
+  const std::vector<double> start = field(*s, "position"), mass = field(*s, "mass");
+  double top = 0;
+  for (int second = 1; second <= 12; ++second) {
+    ASSERT_EQ(s->advance_to(second, [] { return Status::kOk; }).status, Status::kOk);
+    const std::vector<double> x = field(*s, "position");
+    for (std::size_t i = 1; i < x.size(); i += 2) top = std::max(top, x[i]);
+  }
+  EXPECT_LT(top, 15.5);
+  const std::vector<double> end = field(*s, "position");
+  double weight = 0;
+  for (std::size_t i = 0; i < mass.size(); ++i) weight += mass[i] * 9.81 * (start[2 * i + 1] - end[2 * i + 1]);
+  EXPECT_GT(s->get("max_displacement"), 5);
+  EXPECT_LT(s->get("external_work") - weight, 0.5 * weight);
+  EXPECT_LT(s->get("energy_residual"), 0.01);
+  EXPECT_LT(s->get("kinetic_energy"), 1e-2 * s->get("peak_kinetic_energy"));
+}
+
 TEST(RunoutWater, UpliftTakesItsShareOfTheFrictionOfACoulombBase) {
   MaterialDef rock = soil("elastic", 0, 0);
   rock.young_modulus = 1e7;

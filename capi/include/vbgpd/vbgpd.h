@@ -330,7 +330,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_snapshot(const vbgpd_model*, void*
  * at rest) in updated-Lagrangian form: bonds come and go with the neighbours, walls are mirrors that go on straight beyond
  * the section where nothing adjoins. `from` may be fresh, loaded by an equilibrium job, or failed by a strength reduction; it
  * is not changed. The new model has soil only (same ids unless layers are off) and is stepped, set, read, saved like any other; loads stay on their
- * particles (those on top), pore pressures move with them; a material without "tension_cutoff" bears no tension, where strength
+ * particles (those on top), pore pressures move with them (where soil has come apart less K times the gap); a material without "tension_cutoff" bears no tension, where strength
  * reduction lets it bear that of the cone's apex. get_f64 also knows peak_kinetic_energy, standing_time (s for which no
  * particle went farther by a thousandth of a spacing), viscous_dissipation, contact_work, yielding_area, viscosity (alpha c h, m2/s),
  * neighbour_searches. VBGPD_E_STATE: `from` is one already; UNSUPPORTED: moving boundaries. */
