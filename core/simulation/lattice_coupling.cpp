@@ -120,7 +120,7 @@ Vec2 LatticeSimulation::boundary_reaction(std::size_t boundary) const {
   for_each_flux_force(model_, {xx, xy, yx, yy}, add);
   if (outside_.pore_pressure.present())
     for_each_flux_force(model_, PoreFlux(model_, outside_.pore_pressure).nodal(), add);
-  for_each_bond(model_, probe_, scratch_, constants_, 1 / factor_, [&](const ObservedBond& b) {
+  for_each_bond(model_, state_, scratch_, constants_, 1 / factor_, [&](const ObservedBond& b) {
     const auto i = static_cast<std::size_t>(b.i), j = static_cast<std::size_t>(b.j);
     if (i == j || !((soil(i) && wall(j)) || (soil(j) && wall(i)))) return;
     // the pair force of VB5, B_ij s n / r

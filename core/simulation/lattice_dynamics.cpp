@@ -37,7 +37,7 @@ StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
     if (report.steps - kept_at >= kKeep)
       kept = state_, kept_ledger = ledger_, kept_at = report.steps, kept_time = time_;
     Sums sums;
-    run_step(state_, scratch_, c, sums);
+    run_step(data(state_, scratch_), c, sums);
     if (!(sums.velocity2 < runaway)) {
       state_ = kept, ledger_ = kept_ledger;
       steps_ -= report.steps - kept_at, time_ = kept_time;

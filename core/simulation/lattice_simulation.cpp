@@ -96,7 +96,8 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.uses_algorithm[0] = m.features.has_algorithm[0], d.uses_algorithm[1] = m.features.has_algorithm[1];
   d.ux = s.displacement_x.data(), d.uy = s.displacement_y.data(), d.vx = s.velocity_x.data(),
   d.vy = s.velocity_y.data();
-  d.plastic_volume = s.plastic_volume.data(), d.gap = s.gap.data(), d.plastic_strain = s.plastic_strain.data();
+  d.plastic_volume = s.plastic_volume.data(), d.gap = s.gap.data();
+  d.plastic_strain = d.plastic_strain_to = s.plastic_strain.data();
   d.lxx = t.gradient_xx.data(), d.lxy = t.gradient_xy.data(), d.lyx = t.gradient_yx.data(),
   d.lyy = t.gradient_yy.data();
   d.dilation = t.dilation.data();
@@ -106,10 +107,9 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   return d;
 }
 
-void LatticeSimulation::run_step(State& state, Scratch& scratch, const Controls& controls, Sums& sums) const {
+void LatticeSimulation::run_step(const StepData& data, const Controls& controls, Sums& sums) const {
   const bool bonded = model_.features.bond != BondLaw::kNone;
-  kernels_.step(bonded, model_.off_lattice(), controls.ledger)(data(state, scratch), controls, workers_,
-                                                               partial_.data(), sums);
+  kernels_.step(bonded, model_.off_lattice(), controls.ledger)(data, controls, workers_, partial_.data(), sums);
 }
 
 void LatticeSimulation::set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const {
@@ -139,20 +139,22 @@ Controls LatticeSimulation::evaluation_controls() const {
   return c;
 }
 
-Sums LatticeSimulation::evaluate() const {
-  probe_ = state_;
+Sums LatticeSimulation::probe(const Controls& controls) const {
+  probe_.take_motion(state_);
+  StepData d = data(probe_, scratch_);
+  d.plastic_strain = state_.plastic_strain.data();
   Sums sums;
-  run_step(probe_, scratch_, evaluation_controls(), sums);
+  run_step(d, controls, sums);
   return sums;
 }
 
+Sums LatticeSimulation::evaluate() const { return probe(evaluation_controls()); }
+
 Real LatticeSimulation::half_step_work() const {
-  probe_ = state_;
   Controls c = evaluation_controls();
   c.time_step = last_time_step_ > 0 ? last_time_step_ : dynamic_time_step();
   c.ledger = true;
-  Sums sums;
-  run_step(probe_, scratch_, c, sums);
+  const Sums sums = probe(c);
   return sums.internal_work / 2 + sums.plastic_work;
 }
 
@@ -214,7 +216,7 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
     c.momentum = damped ? 1 : static_cast<Real>(since_restart_) / static_cast<Real>(since_restart_ + 3);
     c.time_step =
         options.time_step_factor * kStepMargin * std::sqrt(2 * (damped ? 1 : 1 + c.momentum)) / relaxing_frequency_;
-    run_step(state_, scratch_, c, sums);
+    run_step(data(state_, scratch_), c, sums);
     ++since_restart_;
     if (options.local_damping == 0 && sums.power < 0) since_restart_ = 0;
     ++r.steps;
@@ -287,7 +289,7 @@ Memory LatticeSimulation::memory() const {
 
 Real LatticeSimulation::elastic_energy() const {
   evaluate();
-  return vbgpd::elastic_energy(model_, probe_, scratch_, constants_, 1 / factor_);
+  return vbgpd::elastic_energy(model_, state_, scratch_, constants_, 1 / factor_);
 }
 
 void LatticeSimulation::set(std::string_view name, double value) {

@@ -97,7 +97,9 @@ class LatticeSimulation final : public Simulation {
   void take_forces(Drive drive, Outside outside);
   void write_velocity(const std::vector<double>& rows);
   StepData data(State& state, Scratch& scratch) const;
-  void run_step(State& state, Scratch& scratch, const Controls& controls, Sums& sums) const;
+  void run_step(const StepData& data, const Controls& controls, Sums& sums) const;
+  /// A step of a copy of the motion, by the present plastic strain and without keeping that of the step.
+  Sums probe(const Controls& controls) const;
   /// Highest natural frequency with the given masses: by Lanczos' recurrence on the elastic operator.
   Real highest_frequency(const Array& mass) const;
   void set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const;
@@ -132,7 +134,7 @@ class LatticeSimulation final : public Simulation {
   Model model_;
   State state_;
   mutable Scratch scratch_;
-  mutable State probe_;  // copy of the state for evaluations
+  mutable State probe_;  // copy of the motion for evaluations
   mutable std::vector<Sums> partial_;
   mutable Workers workers_;
   Array dilation_cap_;  // mean stress at the tension cut-off over K, at the present factor

@@ -95,14 +95,16 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
   const double particles = places.soil + places.walls, blocks = particles / width + places.lines;
   const double storage = places.filled + places.walls + 2 * width * places.lines;
   const double offsets = forward_offsets(scene, lattice), packs = blocks * (shape.bonded ? offsets : 1);
-  constexpr double kCopies = 3;  // the state, that of the monitors and that of the energy audit
-  const double state = 4 + (shape.volumetric ? 2 : 0) + (shape.plastic && !shape.bonded ? 3 : 0);
+  // the state, the motion for the monitors, the state of the energy audit
+  constexpr double kCopies = 2, kMotions = 3;
+  const double motion = 4 + (shape.volumetric ? 2 : 0), strain = shape.plastic && !shape.bonded ? 3 : 0;
   const double shifted = scene.jitter > 0 ? 1 : 0, weights = shifted * width * sizeof(double);
   const double model =
       13 + (shape.gradient ? 1 : 0) + (shape.uneven ? 1 : 0) + 2 * shifted + (has_ground_water(scene) ? 1 : 0);
   const double scratch = 11 + 5 + (shape.bonded ? 2 : 0) + (shape.volumetric ? 4 : 0);
   const double record = shape.plastic && shape.bonded ? 3.0 * width * sizeof(double) : 0;
-  return storage * (sizeof(double) * (model + scratch + kCopies * state) + 2 * sizeof(std::int32_t)) +
+  return storage *
+             (sizeof(double) * (model + scratch + kMotions * motion + kCopies * strain) + 2 * sizeof(std::int32_t)) +
          particles * (sizeof(Seed) + shifted * sizeof(Vec2) + 2 * sizeof(std::int32_t)) + blocks * sizeof(Block) +
          2 * offsets * blocks * (sizeof(NeighbourPack) + weights) + packs * (sizeof(BondPack) + kCopies * record);
 }

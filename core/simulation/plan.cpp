@@ -121,7 +121,7 @@ std::vector<Feature> LatticeSimulation::plan() const {
        outside_.pore_pressure.bytes(), 0},
       {"views", "which particle an item in storage order is", !storage_ids_.empty(), bytes_of(storage_ids_), 0},
       {"damping", "local damping of dynamic steps", damping_ > 0},
-      {"fields and monitors", "computed when read, on a copy of the state: present from the first reading on",
+      {"fields and monitors", "computed when read, on a copy of the motion: present from the first reading on",
        probe_.displacement_x.present(), probe_.bytes(), 0},
       {"workers", "threads beside the caller's", options_.threads != 1},
   };

@@ -24,7 +24,7 @@ void LatticeSimulation::read_particles(int field, std::vector<double>& out) cons
   ParticleFields averages;
   if (name == "stress" || name == "plastic_strain" || name == "plastic_bond_fraction") {
     evaluate();
-    averages = particle_fields(model_, probe_, scratch_, constants_, 1 / factor_);
+    averages = particle_fields(model_, state_, scratch_, constants_, 1 / factor_);
   }
   out.assign(section_.seeds.size() * components, 0);
   for (std::size_t k = 0; k < section_.seeds.size(); ++k) {
@@ -55,7 +55,7 @@ void LatticeSimulation::read_bonds(int field, std::vector<double>& out) const {
   out.clear();
   if (model_.features.bond == BondLaw::kNone) return;
   evaluate();
-  for_each_bond(model_, probe_, scratch_, constants_, 1 / factor_, [&](const ObservedBond& b) {
+  for_each_bond(model_, state_, scratch_, constants_, 1 / factor_, [&](const ObservedBond& b) {
     if (name == "bond_plastic_strain") {
       out.push_back(b.plastic_shear);
       return;

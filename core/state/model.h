@@ -100,6 +100,8 @@ struct State {
     f("placed_strain", s.placed_strain);
   }
   void allocate(const Model& m);
+  /// All but what the bonds keep, which is most of it.
+  void take_motion(const State& other);
   std::size_t bytes() const;
   std::uint64_t hash() const;
 };

@@ -65,6 +65,12 @@ void State::allocate(const Model& m) {
   placed_strain.allocate(m.features.placed ? 3 * records : 0, 12, m.heap);
 }
 
+void State::take_motion(const State& other) {
+  displacement_x = other.displacement_x, displacement_y = other.displacement_y;
+  velocity_x = other.velocity_x, velocity_y = other.velocity_y;
+  plastic_volume = other.plastic_volume, gap = other.gap;
+}
+
 std::size_t State::bytes() const {
   std::size_t sum = 0;
   for_each_array(*this, [&](const char*, const Array& a) { sum += a.bytes(); });

@@ -92,11 +92,13 @@ VBGPD_INLINE void return_stress(const StepData& d, const BondPack& pack, const L
   const Pack half = w.half;
   w.source = Pack{};
   if (r.any && d.plastic_strain != nullptr) {
-    double* const record = d.plastic_strain + 3l * kWidth * pack.slot;
     const Pack there = select(half > Pack{}, broadcast(compliance), Pack{});
     const Pack dxx = (trial.xx - s.xx) * there, dyy = (trial.yy - s.yy) * there, dxy = (trial.xy - s.xy) * there;
-    store(record, load(record) + dxx), store(record + kWidth, load(record + kWidth) + dyy);
-    store(record + 2 * kWidth, load(record + 2 * kWidth) + dxy);
+    if (d.plastic_strain_to != nullptr) {
+      double* const record = d.plastic_strain_to + 3l * kWidth * pack.slot;
+      store(record, load(record) + dxx), store(record + kWidth, load(record + kWidth) + dyy);
+      store(record + 2 * kWidth, load(record + 2 * kWidth) + dxy);
+    }
     w.source = half * r.dilated;
     if constexpr (kLedger) plastic_work += 2 * lane_sum(half * shear_work(s, dxx, dyy, dxy));
   }

@@ -21,7 +21,7 @@ VBGPD_INLINE double particle_stress(const StepData& d, const Controls& controls,
   const Pack exx = load(d.lxx + i), eyy = load(d.lyy + i), exy = (load(d.lxy + i) + load(d.lyx + i)) * 0.5;
   const Pack third = (exx + eyy) * (1.0 / 3.0);
   const double twice_shear = 2.0 * law.shear;
-  double* const record = d.plastic_strain == nullptr ? nullptr : d.plastic_strain + 3l * i;
+  const double* const record = d.plastic_strain == nullptr ? nullptr : d.plastic_strain + 3l * i;
   Pack pxx{}, pyy{}, pxy{};
   if (record != nullptr) pxx = load(record), pyy = load(record + kWidth), pxy = load(record + 2 * kWidth);
   const Stress<Pack> trial{twice_shear * (exx - third - pxx), twice_shear * (eyy - third - pyy),
@@ -34,7 +34,10 @@ VBGPD_INLINE double particle_stress(const StepData& d, const Controls& controls,
     const Pack compliance = select(volume > Pack{}, broadcast(1.0) / twice_shear, Pack{});
     const Pack dxx = (trial.xx - s.xx) * compliance, dyy = (trial.yy - s.yy) * compliance,
                dxy = (trial.xy - s.xy) * compliance;
-    store(record, pxx + dxx), store(record + kWidth, pyy + dyy), store(record + 2 * kWidth, pxy + dxy);
+    if (d.plastic_strain_to != nullptr) {
+      double* const to = d.plastic_strain_to + 3l * i;
+      store(to, pxx + dxx), store(to + kWidth, pyy + dyy), store(to + 2 * kWidth, pxy + dxy);
+    }
     const Pack dilated = r.dilated;
     if (d.volume_source != nullptr) store(d.volume_source + i, load(d.volume_source + i) + volume * dilated);
     if constexpr (kLedger) plastic_work = lane_sum(volume * shear_work(s, dxx, dyy, dxy));

@@ -49,7 +49,9 @@ struct StepData {
   double least_r2;  ///< m2, nearer pairs are no bonds but padding
   bool uses_algorithm[2];
   // state
-  double *ux, *uy, *vx, *vy, *plastic_volume, *gap, *plastic_strain;
+  double *ux, *uy, *vx, *vy, *plastic_volume, *gap;
+  const double* plastic_strain;  ///< at the start of the step
+  double* plastic_strain_to;     ///< at its end, in place; null in an evaluation, which keeps none
   // scratch
   double *weighted_x, *weighted_y, *lxx, *lxy, *lyx, *lyy, *dilation, *zxx, *zxy, *zyx, *zyy, *px, *py, *volume_source,
       *opening, *mean_load;
