@@ -470,7 +470,7 @@ class Terminal(ProgramTest):
         return shown.decode()
 
     def test_progress_is_one_line_rewritten_in_place(self):
-        shown = self.on_terminal("fos", self.scene_file(), "--spacing", "0.5")
+        shown = self.on_terminal("fos", self.scene_file(), "--spacing", "0.25")  # a second, even on a fast machine
         self.assertRegex(shown, r"\rgrid \d/2  ")
         self.assertRegex(shown, r"trial \d+  F=\d\.\d{3}.*R=\d\.\de[-+]\d\d  \d+ %")
         self.assertNotIn("\n", shown)
