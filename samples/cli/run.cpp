@@ -83,6 +83,7 @@ class Run {
       write_file(directory() / "series.csv", series_csv(result_.series));
       write_file(directory() / "ground.csv", ground_csv(result_.ground));
       write_file(directory() / "run.pvd", collection_pvd(frames_));
+      remove_frames_of_a_longer_run();
     }
     return status;
   }
@@ -142,10 +143,25 @@ class Run {
 
   void frame() {
     if (options_.output.empty()) return;
-    const std::string name = format("frame_%04zu", frames_.size());
+    const std::string name = frame_name(frames_.size());
     write_file(directory() / (name + ".vtu"), particles_vtu(model_));
     write_picture(run_sheet(scene_, model_, result_), (directory() / (name + ".png")).string());
     frames_.emplace_back(name + ".vtu", number(model_, "time"));
+  }
+
+  static std::string frame_name(std::size_t number) { return format("frame_%04zu", number); }
+
+  /// A directory used before would go on, in an animation, with frames of the run before.
+  void remove_frames_of_a_longer_run() const {
+    const auto removed = [&](std::size_t number, const char* kind) {
+      std::error_code none;
+      return std::filesystem::remove(directory() / (frame_name(number) + kind), none);
+    };
+    bool any = true;
+    for (std::size_t number = frames_.size(); any; ++number) {
+      const bool particles = removed(number, ".vtu"), picture = removed(number, ".png");
+      any = particles || picture;
+    }
   }
 
   const RunOptions& options_;

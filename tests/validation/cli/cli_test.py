@@ -404,6 +404,14 @@ class Run(ProgramTest):
             self.assertTrue((folder / name).with_suffix(".png").read_bytes().startswith(b"\x89PNG"))
         self.assertGreater(len(result["ground_surface"]), 10)
 
+    def test_a_shorter_run_leaves_no_frames_of_the_one_before(self):
+        folder = self.folder / "out"
+        for frames in (4, 2):
+            self.run_program("run", self.scene_file(), "--factor", 2, "--time", 0.2, "--frames", frames, "--output", folder,
+                             "--quiet")
+        self.assertEqual(sorted(path.name for path in folder.glob("frame_*")),
+                         [f"frame_000{k}.{kind}" for k in range(3) for kind in ("png", "vtu")])
+
     def test_a_standing_slope_does_not_move(self):
         done = self.run_program("run", self.scene_file(), "--time", 2, "--json", "--quiet")
         self.assertEqual(json.loads(done.stdout)["moved_area"], 0)
