@@ -10,19 +10,24 @@ namespace cli {
 
 namespace {
 
-/// Where all but one in two hundred lie, and a tenth of that on either side: a grain that flew far ahead must not make
-/// the slope small.
+/// The section, where all but one in two hundred lie, and a tenth of that on either side: a grain that flew far ahead
+/// must not make the slope small.
 struct Range {
   double low, high;
   bool holds(double v) const { return v >= low && v <= high; }
 };
-Range range_of_most(const std::vector<double>& place, std::size_t axis) {
+Range range_of_most(const std::vector<double>& place, std::size_t axis, const picture::Polyline& section) {
   std::vector<double> sorted;
   for (std::size_t i = axis; i < place.size(); i += 2) sorted.push_back(place[i]);
   std::sort(sorted.begin(), sorted.end());
   const std::size_t few = sorted.size() / 200;
   const double low = sorted[few], high = sorted[sorted.size() - 1 - few], room = (high - low) / 10;
-  return {low - room, high + room};
+  Range range{low - room, high + room};
+  for (const picture::Point& corner : section) {
+    const double v = axis == 0 ? corner.x : corner.y;
+    range = {std::min(range.low, v), std::max(range.high, v)};
+  }
+  return range;
 }
 
 }  // namespace
@@ -37,7 +42,7 @@ picture::Sheet run_sheet(const Scene& scene, const vbgpd_model* model, const Run
   sheet.loads.clear();  // they moved with the ground; arrows would stand where it was
   const std::vector<double> place = field(model, "position"), strain = field(model, "plastic_strain");
   const std::vector<double> volume = field(model, "volume"), material = field(model, "material");
-  const Range across = range_of_most(place, 0), up = range_of_most(place, 1);
+  const Range across = range_of_most(place, 0, sheet.exterior), up = range_of_most(place, 1, sheet.exterior);
   std::int64_t outside = 0;
   for (std::size_t i = 0; i < volume.size(); ++i) {
     if (!across.holds(place[2 * i]) || !up.holds(place[2 * i + 1])) {
