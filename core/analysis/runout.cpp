@@ -164,7 +164,8 @@ class RunoutJob final : public SliceJob {
       result_.reason += "; the energy ledger misses " + number_text(100 * result_.energy_residual, 2) + " %";
   }
 
-  /// Pore pressures stay on their particles until these come apart; high ones may yet do more than would drain.
+  /// Pore pressures are lost where soil comes apart, but nothing drains: high ones may still push more than water
+  /// would.
   void tell_of_water() {
     std::vector<double> pressure, mass, now, before;
     const auto read = [&](const char* name, std::vector<double>& to) { simulation_.read(find_field(name), to); };
@@ -179,8 +180,8 @@ class RunoutJob final : public SliceJob {
     const Real water = simulation_.get("external_work") - weight;
     if (water <= std::max<Real>(weight, 0)) return;
     result_.reason +=
-        "; the pore pressures, which stay on the particles until these come apart, did more work than the weight: they lift soil "
-        "that would drain";
+        "; the pore pressures, which stay on the particles until these come apart, did more work than the weight: they "
+        "lift soil that would drain";
   }
 
   Real weight_height_ = 0;  ///< of the section, J/m

@@ -100,7 +100,7 @@ struct State {
     f("placed_strain", s.placed_strain);
   }
   void allocate(const Model& m);
-  /// All but what the bonds keep, which is most of it.
+  /// All but the plastic strain and what it was placed with, which are most of it.
   void take_motion(const State& other);
   std::size_t bytes() const;
   std::uint64_t hash() const;

@@ -168,8 +168,8 @@ inline void strain_pass(const FlowData& shared, const FlowControls& shared_contr
     Pack gap = load_each(d.gap, four.at), plastic_strain = load_each(d.plastic_strain, four.at), dead{};
     if constexpr (PairLaw::kDies) dead = load_each(d.dead, four.at);
     const Pack gap_before = gap;
-    const StressUpdate update =
-        update_stress<PairLaw>(soils_at(d, c, four), c.time_step, l, stress, gap, plastic_strain, dead);
+    const FlowSoils soils = soils_at(d, c, four);
+    const StressUpdate update = update_stress<PairLaw>(soils, c.time_step, l, stress, gap, plastic_strain, dead);
     four.put(d.stress, stress);
     four.put_each(d.gap, gap), four.put_each(d.plastic_strain, plastic_strain);
     if constexpr (PairLaw::kDies) four.put_each(d.dead, dead);
@@ -184,7 +184,7 @@ inline void strain_pass(const FlowData& shared, const FlowControls& shared_contr
       d.bond[4l * (i + k)] = ratio[k], d.bond[4l * (i + k) + 1] = share[k];
       sums.internal += volume * update.work[k];
       if (d.pore_pressure != nullptr) {
-        const double set = d.pore_pressure[i + k], bulk = c.laws[d.soil[i + k]].constants.bulk_modulus;
+        const double set = d.pore_pressure[i + k], bulk = soils.bulk[k];
         const double water = water_pressure(set, bulk, gap_before[k]) + water_pressure(set, bulk, gap[k]);
         sums.external += 0.5 * volume * water * update.opening[k];
       }

@@ -47,8 +47,8 @@ inline void place_ghosts(const FlowData& d) {
 /// The mirrored stress is what the wall would see; over the distance 2d between particle and image it grows by the
 /// weight: P_g -= 2 d rho b (x) n (only across where the wall is smooth), at most doubling the pressure there: soil
 /// that carries no stress is not held up.
-VBGPD_INLINE void add_weight(const FlowData& d, const FlowControls& c, const FlowWall& w, int parent, const double* image,
-                             double* weight) {
+VBGPD_INLINE void add_weight(const FlowData& d, const FlowControls& c, const FlowWall& w, int parent,
+                             const double* image, double* weight) {
   const double depth = -distance_to(w, image[0], image[1]);
   const double* const s = d.stress + 4l * parent;
   double pressure = -(s[3] + s[0] * w.nx * w.nx + s[1] * w.ny * w.ny + 2 * s[2] * w.nx * w.ny);
@@ -108,18 +108,17 @@ inline ContactForce image_water(const FlowData& d, const FlowControls& c, int i,
   const double s = larger(1 - r * c.inverse_support, 0);
   const double scale = d.constants[4l * i] * c.weight_scale * s * s * s * d.volume[j];
   const FlowGhost& ghost = d.ghosts[j - d.particles - 1];
-  const auto flux = [&](int k, double* f) {
+  const double p = water_pressure(d, c, ghost.parent);
+  const auto flux = [&](int k, double pressure, double* f) {
     const double* const m = d.inverse + 4l * k;
-    const double p = water_pressure(d, c, k);
-    f[0] = -p * m[0], f[1] = f[2] = -p * m[1], f[3] = -p * m[2];
+    f[0] = -pressure * m[0], f[1] = f[2] = -pressure * m[1], f[3] = -pressure * m[2];
   };
   double mine[4], its[4];
-  flux(i, mine), flux(ghost.parent, its);
+  flux(i, water_pressure(d, c, i), mine), flux(ghost.parent, p, its);
   mirror_flux(d.walls[ghost.wall], its);
   if (ghost.second >= 0) mirror_flux(d.walls[ghost.second], its);
   const FlowWall& w = d.walls[ghost.wall];
   const double *const t = d.stress + 4l * ghost.parent, *const b = d.weight + 4l * (j - d.particles);
-  const double p = water_pressure(d, c, ghost.parent);
   const double total = p - (t[3] + t[0] * w.nx * w.nx + t[1] * w.ny * w.ny + 2 * t[2] * w.nx * w.ny);
   const double share = total > 0 ? smaller(larger(p / total, 0), 1) : 0;
   return {scale * ((mine[0] + its[0] + share * b[0]) * x + (mine[1] + its[1] + share * b[1]) * y),

@@ -85,7 +85,8 @@ void describe_run(CLI::App& app, RunOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 10000));
   app.add_option("--output", options.output,
-                 "directory for series.csv, ground.csv, run.pvd and a .vtu and .png a frame (those of a run before are replaced)")
+                 "directory for series.csv, ground.csv, run.pvd and a .vtu and .png a frame (those of a run before are "
+                 "replaced)")
       ->type_name("DIR");
   app.add_option("--spacing", options.spacing, "m between particles, instead of the scene's")
       ->type_name("H")

@@ -47,7 +47,7 @@ static void parts_grow_with_use(void) {
   use_all(model);
   used = memory_of(model);
   CHECK(used.model == fresh.model && used.state == fresh.state);
-  CHECK(used.scratch > fresh.scratch && used.copies > 0 && used.outside > 0 && used.saved == 0);
+  CHECK(used.scratch > fresh.scratch && used.copies >= used.state && used.outside > 0 && used.saved == 0);
   CHECK_OK(vbgpd_model_save_state(model, &state));
   CHECK(memory_of(model).saved == used.state + used.outside);
   CHECK_OK(vbgpd_model_save_state(model, &other));
