@@ -81,8 +81,7 @@ void find_features(const SceneDef& scene, const Section& section, Model& m) {
   for (const Seed& s : section.seeds) used[static_cast<std::size_t>(s.material)] = true;
   Features f;
   f.bond = bond_law_by_name(scene.bond)->at_rest;
-  f.plastic = f.volumetric_plastic = f.cohesion_gradient = f.has_algorithm[0] = f.has_algorithm[1] = false;
-  bool dilates = false;
+  f.plastic = f.volumetric_plastic = f.dilatant = f.cohesion_gradient = f.has_algorithm[0] = f.has_algorithm[1] = false;
   Real softest = kInfinity, stiffest = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) continue;
@@ -92,11 +91,11 @@ void find_features(const SceneDef& scene, const Section& section, Model& m) {
     f.plastic |= yields(law);
     f.volumetric_plastic |= yields(law) && (d.friction_angle > 0 || !std::isnan(d.tension_cutoff));
     f.cohesion_gradient |= yields(law) && d.cohesion_gradient > 0;
-    dilates |= yields(law) && d.dilatancy_angle > 0;
+    f.dilatant |= yields(law) && d.dilatancy_angle > 0;
     const Real bulk = m.pair_elastic[i * (used.size() + 1)].bulk_modulus;
     softest = std::min(softest, bulk), stiffest = std::max(stiffest, bulk);
   }
-  f.uneven_dilation = dilates && stiffest > softest && f.bond != BondLaw::kNone;
+  f.uneven_dilation = f.dilatant && stiffest > softest && f.bond != BondLaw::kNone;
   m.features = f;
 }
 

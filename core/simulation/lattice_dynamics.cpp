@@ -10,11 +10,10 @@ namespace vbgpd {
 StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
   StepReport report;
   const Workers::Session session(workers_);
-  if (!dynamic_mobility_x_.present()) set_mobility(model_.mass, dynamic_mobility_x_, dynamic_mobility_y_);
   const Real longest = dynamic_time_step();
   Controls c;
   c.local_damping = damping_;
-  c.mobility_x = dynamic_mobility_x_.data(), c.mobility_y = dynamic_mobility_y_.data();
+  c.mass = model_.mass.data();
   c.constants = constants_.data();
   c.dilation_cap = dilation_cap_.data(), c.keeps_gaps = true;
   c.cohesion_scale = 1 / factor_;
@@ -33,7 +32,7 @@ StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
     report.status = watch();
     if (report.status != Status::kOk) return report;
     const StepLength length = step_towards(goal.time, time_, longest);
-    c.time_step = length.time_step;
+    c.time_step = c.kick = length.time_step;
     if (report.steps - kept_at >= kKeep)
       kept = state_, kept_ledger = ledger_, kept_at = report.steps, kept_time = time_;
     Sums sums;

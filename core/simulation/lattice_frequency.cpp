@@ -21,9 +21,9 @@ Real largest_eigenvalue(const std::vector<Real>& diagonal, const std::vector<Rea
 
 /// Largest eigenvalue of M^-1 K by Lanczos' recurrence in the inner product of the masses: q_k are its vectors.
 Real LatticeSimulation::highest_frequency(const Array& mass) const {
-  Array mobility_x, mobility_y;
-  set_mobility(mass, mobility_x, mobility_y);
   const auto n = static_cast<std::size_t>(model_.storage);
+  Array no_force;
+  no_force.allocate(n, 0, model_.heap);
   const auto dot = [&](const Array& ax, const Array& ay, const Array& bx, const Array& by) {
     Real sum = 0;
     for (std::size_t i = 0; i < n; ++i) sum += mass[i] * (ax[i] * bx[i] + ay[i] * by[i]);
@@ -43,8 +43,8 @@ Real LatticeSimulation::highest_frequency(const Array& mass) const {
   for (std::size_t i = 0; i < n; ++i)
     if (model_.seed_of[i] >= 0) qx[i] = next() * model_.free_x[i], qy[i] = next() * model_.free_y[i];
   Controls c;  // one step from rest with b = 0, dt = 1, no external force gives v = -M^-1 K u
-  c.time_step = 1, c.momentum = 0;
-  c.mobility_x = mobility_x.data(), c.mobility_y = mobility_y.data();
+  c.time_step = c.kick = 1, c.momentum = 0;
+  c.mass = mass.data();
   c.constants = elastic_constants_.data();
   Sums sums;
   constexpr int kMost = 300, kLook = 5;
@@ -56,7 +56,7 @@ Real LatticeSimulation::highest_frequency(const Array& mass) const {
     s.displacement_x = qx, s.displacement_y = qy;
     s.velocity_x.fill_zero(), s.velocity_y.fill_zero();
     StepData d = data(s, scratch_);
-    d.force_x = d.force_y = zero_.data();
+    d.force_x = d.force_y = no_force.data();
     d.guided_count = 0;
     kernels_.step(model_.features.bond != BondLaw::kNone, model_.off_lattice(), false)(d, c, workers_, partial_.data(),
                                                                                        sums);

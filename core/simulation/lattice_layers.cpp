@@ -29,14 +29,12 @@ LatticeSimulation::Stage LatticeSimulation::stage(const Layers& layers, bool pla
   return s;
 }
 
-/// Frequencies and mobilities of the other stage are found again when they are asked for.
+/// Frequencies of the other stage are found again when they are asked for.
 void LatticeSimulation::exchange(Stage& s) noexcept {
   std::swap(layers_, s.layers), std::swap(section_, s.section), std::swap(model_, s.model);
   std::swap(state_, s.state), std::swap(scratch_, s.scratch), std::swap(partial_, s.partial);
   std::swap(dilation_cap_, s.dilation_cap);
   std::swap(constants_, s.constants), std::swap(elastic_constants_, s.elastic_constants);
-  for (Array* a : {&dynamic_mobility_x_, &dynamic_mobility_y_, &relaxing_mobility_x_, &relaxing_mobility_y_})
-    *a = Array();
   dynamic_frequency_ = relaxing_frequency_ = 0;
   audit_ = Audit();
 }

@@ -342,7 +342,8 @@ void build_weights(const Occupancy& who, const AnyKernel& kernel, Real h, Model&
 /// omega0_i, M_i (VB1) and the stiffness-proportional mass sum_j B_ij/2 (K + 4G/3).
 void build_operators(Model& m) {
   const auto n = static_cast<std::size_t>(m.storage);
-  m.share.allocate(n, 1, m.heap);
+  Array share;
+  share.allocate(n, 1, m.heap);
   m.moment_xx.allocate(n, 2, m.heap), m.moment_xy.allocate(n, 3, m.heap), m.moment_yy.allocate(n, 4, m.heap);
   m.scaled_mass.allocate(n, 5, m.heap);
   m.sum_x.allocate(n, 6, m.heap), m.sum_y.allocate(n, 7, m.heap);
@@ -371,13 +372,14 @@ void build_operators(Model& m) {
     if (m.seed_of[i] < 0 || !(omega0[i] > 0)) continue;
     const Mat2 inverse = guarded_inverse(moment[i]);
     m.moment_xx[i] = inverse(0, 0), m.moment_xy[i] = inverse(0, 1), m.moment_yy[i] = inverse(1, 1);
-    m.share[i] = m.volume[i] / omega0[i];
+    share[i] = m.volume[i] / omega0[i];
   }
   each_neighbour([&](std::size_t i, std::size_t j, const Offset& o) {
     const LawConstants& c = m.pair_elastic[pair_of(m, static_cast<std::int32_t>(i), static_cast<std::int32_t>(j))];
-    const Real bond_volume = o.weight * (m.volume[i] * m.share[j] + m.share[i] * m.volume[j]);
+    const Real bond_volume = o.weight * (m.volume[i] * share[j] + share[i] * m.volume[j]);
     m.scaled_mass[i] += 0.5 * bond_volume * (c.bulk_modulus + 4 * c.shear_modulus / 3);
   });
+  if (m.features.bond != BondLaw::kNone) m.share = std::move(share);
 }
 
 }  // namespace

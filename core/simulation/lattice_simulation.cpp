@@ -51,7 +51,6 @@ LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions
   state_.allocate(model_);
   scratch_.allocate(model_);
   partial_.resize(model_.chunks.size());
-  zero_.allocate(static_cast<std::size_t>(model_.storage), 0, model_.heap);
   set_factor(1);
   elastic_constants_ = pair_constants(model_, 1, true);
   if (const std::vector<double> water = scene_pore_pressure(scene_, section_); !water.empty())
@@ -103,26 +102,16 @@ StepData LatticeSimulation::data(State& s, Scratch& t) const {
   d.dilation = t.dilation.data();
   d.zxx = t.flux_xx.data(), d.zxy = t.flux_xy.data(), d.zyx = t.flux_yx.data(), d.zyy = t.flux_yy.data();
   d.px = t.pair_force_x.data(), d.py = t.pair_force_y.data(), d.volume_source = t.volume_source.data();
-  d.opening = t.opening.data(), d.mean_load = t.mean_load.data();
   return d;
 }
 
-void LatticeSimulation::run_step(const StepData& data, const Controls& controls, Sums& sums) const {
+void LatticeSimulation::run_step(StepData data, const Controls& controls, Sums& sums) const {
   const bool bonded = model_.features.bond != BondLaw::kNone;
-  kernels_.step(bonded, model_.off_lattice(), controls.ledger)(data, controls, workers_, partial_.data(), sums);
-}
-
-void LatticeSimulation::set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const {
-  const auto n = static_cast<std::size_t>(model_.storage);
-  Array x, y;  // both or none, should memory run out
-  x.allocate(n, 10, model_.heap);
-  y.allocate(n, 11, model_.heap);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!(mass[i] > 0)) continue;
-    x[i] = model_.free_x[i] / mass[i];
-    y[i] = model_.free_y[i] / mass[i];
+  if (controls.ledger) {
+    scratch_.keep_books(model_);
+    data.opening = scratch_.opening.data(), data.mean_load = scratch_.mean_load.data();
   }
-  mobility_x = std::move(x), mobility_y = std::move(y);
+  kernels_.step(bonded, model_.off_lattice(), controls.ledger)(data, controls, workers_, partial_.data(), sums);
 }
 
 Real LatticeSimulation::dynamic_time_step() const {
@@ -132,7 +121,7 @@ Real LatticeSimulation::dynamic_time_step() const {
 
 Controls LatticeSimulation::evaluation_controls() const {
   Controls c;
-  c.mobility_x = c.mobility_y = zero_.data();
+  c.mass = model_.mass.data();  // without a kick any will do
   c.constants = constants_.data();
   c.dilation_cap = dilation_cap_.data();
   c.cohesion_scale = 1 / factor_;
@@ -194,12 +183,9 @@ void LatticeSimulation::start_over() {
 RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& options) {
   audit_.valid = false;
   const Workers::Session session(workers_);
-  if (!relaxing_mobility_x_.present()) {
-    relaxing_frequency_ = highest_frequency(model_.scaled_mass);
-    set_mobility(model_.scaled_mass, relaxing_mobility_x_, relaxing_mobility_y_);  // last: they say that both are there
-  }
+  if (relaxing_frequency_ == 0) relaxing_frequency_ = highest_frequency(model_.scaled_mass);
   Controls c;
-  c.mobility_x = relaxing_mobility_x_.data(), c.mobility_y = relaxing_mobility_y_.data();
+  c.mass = model_.scaled_mass.data();
   c.constants = options.elastic ? elastic_constants_.data() : constants_.data();
   c.dilation_cap = options.elastic ? nullptr : dilation_cap_.data();
   c.cohesion_scale = 1 / factor_;
@@ -216,6 +202,7 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
     c.momentum = damped ? 1 : static_cast<Real>(since_restart_) / static_cast<Real>(since_restart_ + 3);
     c.time_step =
         options.time_step_factor * kStepMargin * std::sqrt(2 * (damped ? 1 : 1 + c.momentum)) / relaxing_frequency_;
+    c.kick = c.time_step;
     run_step(data(state_, scratch_), c, sums);
     ++since_restart_;
     if (options.local_damping == 0 && sums.power < 0) since_restart_ = 0;
@@ -277,10 +264,7 @@ Memory LatticeSimulation::memory() const {
   m.model = model_.bytes() + section_.seeds.capacity() * sizeof(Seed) + section_.shifts.capacity() * sizeof(Vec2) +
             section_.cut_pairs.capacity() * sizeof(CutPair);
   m.state = state_.bytes();
-  m.scratch = scratch_.bytes() + partial_.capacity() * sizeof(Sums);
-  for (const Array* a : {&zero_, &dilation_cap_, &dynamic_mobility_x_, &dynamic_mobility_y_, &relaxing_mobility_x_,
-                         &relaxing_mobility_y_})
-    m.scratch += a->bytes();
+  m.scratch = scratch_.bytes() + dilation_cap_.bytes() + partial_.capacity() * sizeof(Sums);
   m.copies = probe_.bytes() + audit_.state.bytes() + storage_ids_.capacity() * sizeof(std::int64_t);
   m.outside = bytes_of(outside_);
   m.saved = *saved_;

@@ -97,12 +97,11 @@ class LatticeSimulation final : public Simulation {
   void take_forces(Drive drive, Outside outside);
   void write_velocity(const std::vector<double>& rows);
   StepData data(State& state, Scratch& scratch) const;
-  void run_step(const StepData& data, const Controls& controls, Sums& sums) const;
+  void run_step(StepData data, const Controls& controls, Sums& sums) const;
   /// A step of a copy of the motion, by the present plastic strain and without keeping that of the step.
   Sums probe(const Controls& controls) const;
   /// Highest natural frequency with the given masses: by Lanczos' recurrence on the elastic operator.
   Real highest_frequency(const Array& mass) const;
-  void set_mobility(const Array& mass, Array& mobility_x, Array& mobility_y) const;
   Real dynamic_time_step() const;
   void set_factor(Real factor);
   /// Material constants already made for that factor.
@@ -138,8 +137,6 @@ class LatticeSimulation final : public Simulation {
   mutable std::vector<Sums> partial_;
   mutable Workers workers_;
   Array dilation_cap_;  // mean stress at the tension cut-off over K, at the present factor
-  Array zero_;          // all zero: mobility of an evaluation
-  Array dynamic_mobility_x_, dynamic_mobility_y_, relaxing_mobility_x_, relaxing_mobility_y_;
   mutable Real dynamic_frequency_ = 0, relaxing_frequency_ = 0;
   std::vector<LawConstants> constants_, elastic_constants_;
   Real factor_ = 1, damping_ = 0, time_step_factor_ = kDefaultTimeStepFactor, time_ = 0;

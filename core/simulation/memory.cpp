@@ -20,7 +20,7 @@ namespace {
 
 /// What a scene stores per storage place and per bond record; the places are particles and padding.
 struct Shape {
-  bool bonded, plastic = false, volumetric = false, gradient = false, uneven = false;
+  bool bonded, plastic = false, volumetric = false, dilatant = false, gradient = false, uneven = false;
 };
 
 Shape shape_of(const SceneDef& scene) {
@@ -30,9 +30,9 @@ Shape shape_of(const SceneDef& scene) {
     s.plastic = true;
     s.volumetric |= m.friction_angle > 0 || !std::isnan(m.tension_cutoff);
     s.gradient |= m.cohesion_gradient > 0;
-    s.uneven |= m.dilatancy_angle > 0;
+    s.dilatant |= m.dilatancy_angle > 0;
   }
-  s.uneven &= s.bonded && scene.materials.size() > 1;
+  s.uneven = s.dilatant && s.bonded && scene.materials.size() > 1;
   return s;
 }
 
@@ -99,9 +99,9 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
   constexpr double kCopies = 2, kMotions = 3;
   const double motion = 4 + (shape.volumetric ? 2 : 0), strain = shape.plastic && !shape.bonded ? 3 : 0;
   const double shifted = scene.jitter > 0 ? 1 : 0, weights = shifted * width * sizeof(double);
-  const double model =
-      13 + (shape.gradient ? 1 : 0) + (shape.uneven ? 1 : 0) + 2 * shifted + (has_ground_water(scene) ? 1 : 0);
-  const double scratch = 11 + 5 + (shape.bonded ? 2 : 0) + (shape.volumetric ? 4 : 0);
+  const double model = 12 + (shape.bonded ? 1 : 0) + (shape.gradient ? 1 : 0) + (shape.uneven ? 1 : 0) + 2 * shifted +
+                       (has_ground_water(scene) ? 1 : 0);
+  const double scratch = 11 + (shape.bonded ? 2 : 0) + (shape.volumetric ? 2 : 0) + (shape.dilatant ? 2 : 0);
   const double record = shape.plastic && shape.bonded ? 3.0 * width * sizeof(double) : 0;
   return storage *
              (sizeof(double) * (model + scratch + kMotions * motion + kCopies * strain) + 2 * sizeof(std::int32_t)) +

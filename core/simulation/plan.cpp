@@ -83,7 +83,7 @@ std::vector<Feature> LatticeSimulation::plan() const {
       sum_of(m.volume, m.share, m.moment_xx, m.moment_xy, m.moment_yy, m.sum_x, m.sum_y, m.force_x, m.force_y, m.free_x,
              m.free_y, m.mass, m.scaled_mass, s.displacement_x, s.displacement_y, s.velocity_x, s.velocity_y,
              t.weighted_x, t.weighted_y, t.gradient_xx, t.gradient_xy, t.gradient_yx, t.gradient_yy, t.dilation,
-             t.flux_xx, t.flux_xy, t.flux_yx, t.flux_yy, zero_) +
+             t.flux_xx, t.flux_xy, t.flux_yx, t.flux_yy) +
       bytes_of(m.blocks) + bytes_of(m.chunks) + bytes_of(m.material) + bytes_of(m.seed_of) + bytes_of(m.storage_of) +
       bytes_of(m.id_of) + bytes_of(section_.seeds) + bytes_of(partial_) + (bonded ? 0 : packs);
   std::vector<Feature> plan = {
@@ -96,8 +96,9 @@ std::vector<Feature> LatticeSimulation::plan() const {
       {"plasticity", "plastic strain of every bond, without bonds of every particle", m.features.plastic,
        bonded ? 0 : plastic, bonded ? plastic : 0},
       {"volumetric plasticity", "volume that dilates or opens in tension, at the particles",
-       m.features.volumetric_plastic,
-       sum_of(s.plastic_volume, s.gap, t.volume_source, t.opening, t.mean_load, dilation_cap_), 0},
+       m.features.volumetric_plastic, sum_of(s.plastic_volume, s.gap, dilation_cap_), 0},
+      {"dilatant volume", "what shearing gives to the particles in a step", m.features.dilatant,
+       t.volume_source.bytes(), 0},
       {"dilatancy across stiffness", "how bonds that dilate between soils of different stiffness share the volume",
        m.features.uneven_dilation, m.compressibility.bytes(), 0},
       {"layers switched off", "soil taken away or not placed yet; its places in the arrays stay", !layers_.empty()},
@@ -108,12 +109,9 @@ std::vector<Feature> LatticeSimulation::plan() const {
       {"guided walls", "wall particles that slide or are moved", !m.guided.empty(), bytes_of(m.guided), 0},
       {"no bonds through air", "pairs whose joining line leaves the soil", !section_.cut_pairs.empty(),
        bytes_of(section_.cut_pairs), 0},
-      {"quasi-static relaxation", "steps of jobs: present from the first one on", relaxing_mobility_x_.present(),
-       sum_of(relaxing_mobility_x_, relaxing_mobility_y_), 0},
-      {"dynamic steps", "steps with true masses: present from the first one on", dynamic_mobility_x_.present(),
-       sum_of(dynamic_mobility_x_, dynamic_mobility_y_), 0},
       {"energy ledger", "works and dissipations of dynamic steps, and the state of the last audit",
-       audit_.state.displacement_x.present(), audit_.state.bytes(), 0},
+       audit_.state.displacement_x.present() || t.opening.present(),
+       audit_.state.bytes() + sum_of(t.opening, t.mean_load), 0},
       {"forces from outside", "written by a host, per particle",
        outside_.external_x.present() || outside_.external_y.present(), sum_of(outside_.external_x, outside_.external_y),
        0},

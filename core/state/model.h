@@ -19,6 +19,7 @@ struct Features {
   BondLaw bond = BondLaw::kSelective;
   bool plastic = true;             ///< any law yields: plastic strain is stored
   bool volumetric_plastic = true;  ///< any law dilates or is capped in tension
+  bool dilatant = false;           ///< any law dilates in shear
   bool cohesion_gradient = false;
   bool uneven_dilation = false;  ///< bonds dilate between soils of different bulk modulus
   bool placed = false;           ///< soil was placed when the section was deformed already
@@ -43,7 +44,7 @@ struct Model {
   Features features;
   // particle arrays [storage]
   Array volume;                           ///< m2; 0 in padding
-  Array share;                            ///< V_i / omega0_i, m4
+  Array share;                            ///< V_i / omega0_i, m4; absent without bonds
   Array moment_xx, moment_xy, moment_yy;  ///< M_i^-1 of VB1, m-2... per particle
   Array sum_x, sum_y;                     ///< sum_j V_j omega_ij xi_ij, m (0 in the bulk)
   Array force_x, force_y;                 ///< external force: weight, seismic, surface loads, N
@@ -113,9 +114,11 @@ struct Scratch {
   Array dilation;                                            ///< elastic volumetric strain tr L_i - theta^p_i - gap_i
   Array flux_xx, flux_xy, flux_yx, flux_yy;                  ///< V_i S_i of VB5, then V_i S_i M_i^-1
   Array pair_force_x, pair_force_y;                          ///< sum of B_ij s_ij n_ij / r
-  Array volume_source;       ///< volume that turned plastic in this step; absent like plastic_volume
-  Array opening, mean_load;  ///< for its work: by how much the gap grew, V_i times mean stress; absent likewise
+  Array volume_source;       ///< volume that turned plastic in this step; absent when no law dilates in shear
+  Array opening, mean_load;  ///< of the ledger, see keep_books: by how much the gap grew, V_i times mean stress
   void allocate(const Model& m);
+  /// What the work of plastic volume takes, where the model has any; from the first step with a ledger on.
+  void keep_books(const Model& m);
   std::size_t bytes() const;
 };
 

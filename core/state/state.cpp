@@ -97,9 +97,14 @@ void Scratch::allocate(const Model& m) {
   for (Array* a : {&weighted_x, &weighted_y, &gradient_xx, &gradient_xy, &gradient_yx, &gradient_yy, &dilation,
                    &flux_xx, &flux_xy, &flux_yx, &flux_yy, &pair_force_x, &pair_force_y})
     a->allocate(n, stagger++, m.heap);
-  for (Array* a : {&volume_source, &opening, &mean_load})
-    a->allocate(m.features.volumetric_plastic ? n : 0, stagger++, m.heap);
+  volume_source.allocate(m.features.dilatant ? n : 0, stagger++, m.heap);
   if (m.features.bond == BondLaw::kNone) pair_force_x.allocate(0, 0), pair_force_y.allocate(0, 0);
+}
+
+void Scratch::keep_books(const Model& m) {
+  const auto n = static_cast<std::size_t>(m.storage);
+  if (m.features.volumetric_plastic && !opening.present()) opening.allocate(n, 21, m.heap);
+  if (m.features.dilatant && !mean_load.present()) mean_load.allocate(n, 22, m.heap);
 }
 
 std::size_t Scratch::bytes() const {

@@ -103,7 +103,7 @@ VBGPD_INLINE void return_stress(const StepData& d, const BondPack& pack, const L
     if constexpr (kLedger) plastic_work += 2 * lane_sum(half * shear_work(s, dxx, dyy, dxy));
   }
   if constexpr (kLedger)
-    if (d.mean_load != nullptr) plastic_work += lane_sum(opening_work(d, pack, half, s.m));
+    if (d.opening != nullptr) plastic_work += lane_sum(opening_work(d, pack, half, s.m));
   w.stress = {half * s.xx, half * s.yy, half * s.xy, half * s.m};
 }
 

@@ -19,7 +19,7 @@ VBGPD_INLINE Pack shear_work(const Stress<Pack>& s, Pack dxx, Pack dyy, Pack dxy
 /// the ends are going to dilate by (flux_pass). `half` is B_ij/2.
 VBGPD_INLINE Pack opening_work(const StepData& d, const BondPack& pack, Pack half, Pack mean) {
   const Pack share = half * mean;
-  add(d.mean_load + pack.i, share), add(d.mean_load + pack.j, share);
+  if (d.mean_load != nullptr) add(d.mean_load + pack.i, share), add(d.mean_load + pack.j, share);
   return share * (load(d.opening + pack.i) + load(d.opening + pack.j));
 }
 

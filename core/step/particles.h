@@ -43,10 +43,9 @@ VBGPD_INLINE double particle_stress(const StepData& d, const Controls& controls,
     if constexpr (kLedger) plastic_work = lane_sum(volume * shear_work(s, dxx, dyy, dxy));
   }
   if constexpr (kLedger)
-    if (d.mean_load != nullptr) {
-      const Pack opened = load(d.opening + i);
-      store(d.mean_load + i, load(d.mean_load + i) + volume * s.m);
-      plastic_work += lane_sum(volume * opened * s.m);
+    if (d.opening != nullptr) {
+      plastic_work += lane_sum(volume * load(d.opening + i) * s.m);
+      if (d.mean_load != nullptr) store(d.mean_load + i, load(d.mean_load + i) + volume * s.m);
     }
   store(d.zxx + i, load(d.zxx + i) + volume * (s.xx + s.m)), store(d.zxy + i, load(d.zxy + i) + volume * s.xy);
   store(d.zyx + i, load(d.zyx + i) + volume * s.xy), store(d.zyy + i, load(d.zyy + i) + volume * (s.yy + s.m));

@@ -13,8 +13,8 @@ struct Controls {
   double time_step = 0;
   double momentum = 1;                 ///< b: velocity kept from the last step (1 = true dynamics, < 1 = relaxation)
   double local_damping = 0;            ///< alpha of f_d = -alpha |f| sgn v
-  const double* mobility_x = nullptr;  ///< 1/m, 0 where held
-  const double* mobility_y = nullptr;
+  double kick = 0;                     ///< time step of the velocities: time_step, or 0 in an evaluation
+  const double* mass = nullptr;        ///< 0 in padding
   const LawConstants* constants = nullptr;  ///< per material pair, at the present strength reduction factor
   const double* dilation_cap = nullptr;     ///< largest elastic volumetric strain of a particle; null = none
   bool keeps_gaps = false;                  ///< what exceeds it turns plastic, else it closes again
@@ -53,8 +53,9 @@ struct StepData {
   const double* plastic_strain;  ///< at the start of the step
   double* plastic_strain_to;     ///< at its end, in place; null in an evaluation, which keeps none
   // scratch
-  double *weighted_x, *weighted_y, *lxx, *lxy, *lyx, *lyy, *dilation, *zxx, *zxy, *zyx, *zyy, *px, *py, *volume_source,
-      *opening, *mean_load;
+  double *weighted_x, *weighted_y, *lxx, *lxy, *lyx, *lyy, *dilation, *zxx, *zxy, *zyx, *zyy, *px, *py;
+  double* volume_source;        ///< null where no flow is dilatant
+  double *opening, *mean_load;  ///< of the ledger; mean_load null where volume_source is
 };
 
 }  // namespace vbgpd

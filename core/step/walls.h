@@ -1,4 +1,4 @@
-// Walls that move or slide. Fixed walls need nothing: their mobility is zero.
+// Walls that move or slide. Fixed walls need nothing: they are not free.
 #pragma once
 
 #include "step/step_data.h"

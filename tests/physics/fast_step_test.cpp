@@ -91,19 +91,13 @@ void compare(const SceneDef& scene, const Kernels& kernels, const char* name, bo
   slow.keeps_gaps = keeps_gaps;
   // relaxation-like steps with plain momentum 0.9: enough plastic flow to touch every branch
   const double dt = 0.5;
-  Array mobility_x, mobility_y;
-  mobility_x.allocate(static_cast<std::size_t>(m.storage), 1),
-      mobility_y.allocate(static_cast<std::size_t>(m.storage), 2);
-  Real stiffest = 0;
+  Array mass;
+  mass.allocate(static_cast<std::size_t>(m.storage), 1);
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.storage); ++i)
-    if (m.seed_of[i] >= 0) {
-      const Real mass = m.scaled_mass[i] * 6 / fast.section().lattice.spacing.squaredNorm();
-      mobility_x[i] = m.free_x[i] / mass, mobility_y[i] = m.free_y[i] / mass;
-      stiffest = std::max(stiffest, mass);
-    }
+    mass[i] = m.scaled_mass[i] * 6 / fast.section().lattice.spacing.squaredNorm();
   Controls c;
-  c.time_step = dt, c.momentum = 0.9;
-  c.mobility_x = mobility_x.data(), c.mobility_y = mobility_y.data(), c.constants = fast.constants().data();
+  c.time_step = c.kick = dt, c.momentum = 0.9;
+  c.mass = mass.data(), c.constants = fast.constants().data();
   c.dilation_cap = fast.dilation_cap().data(), c.keeps_gaps = keeps_gaps;
   const StepData d = fast.step_data_for_tests();
   Workers workers(1);
@@ -116,7 +110,7 @@ void compare(const SceneDef& scene, const Kernels& kernels, const char* name, bo
     for (std::size_t k = 0; k < f.size(); ++k) {
       const auto i = static_cast<std::size_t>(m.storage_of[k]);
       const Vec2 total = f[k] + Vec2(m.force_x[i], m.force_y[i]);
-      slow.v[k] = 0.9 * slow.v[k] + dt * Vec2(mobility_x[i] * total.x(), mobility_y[i] * total.y());
+      slow.v[k] = 0.9 * slow.v[k] + dt / mass[i] * Vec2(m.free_x[i] * total.x(), m.free_y[i] * total.y());
       slow.u[k] += dt * slow.v[k];
     }
   }
