@@ -65,6 +65,19 @@ TEST(Estimate, OfTwoGridsRemovesAFirstOrderErrorAndDoubtsHalfOfIt) {
   EXPECT_TRUE(e.discretisation);
 }
 
+TEST(Estimate, OfTwoGridsThatRiseIsTheFinerAndReachesBack) {
+  const std::vector<Level> rising{level(1, 1.15), level(0.5, 1.17)};
+  const Estimate e = estimate(rising, {});
+  EXPECT_EQ(e.status, "OK");
+  EXPECT_EQ(e.value, 1.17);
+  EXPECT_NEAR(e.error, 0.02 + 3 * 0.001, 1e-12);
+  EXPECT_NE(e.reason.find("reads higher"), std::string::npos) << e.reason;
+  const std::vector<Level> within_brackets{level(1, 1.15), level(0.5, 1.1515)};
+  EXPECT_NEAR(estimate(within_brackets, {}).value, 1.153, 1e-12);
+  const std::vector<Level> checked{level(1, 1.11), level(0.5, 1.15), level(0.25, 1.17)};  // at first order indeed
+  EXPECT_NEAR(estimate(checked, {}).value, 1.19, 1e-12);
+}
+
 TEST(Estimate, OfThreeGridsFindsTheOrderAndIsTheTighter) {
   const auto levels = exact(1, {1, 0.5, 0.25});
   const Estimate e = estimate(levels, {});

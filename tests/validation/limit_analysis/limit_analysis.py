@@ -30,6 +30,8 @@ CASES = {
     "example 1": Case(0, 10, 2, 12, 32, Soil(10, 20, 20), None, 1.39, 10),
     "fill 5 m on clay": Case(8, 5, 2, 15, 45, Soil(0.5, 35, 20), Soil(20, 0, 17), 1.13, 6),
     "fill 4 m on clay": Case(5, 4, 1.5, 12, 35, Soil(0.5, 38, 20), Soil(18, 0, 17), 1.25, 6),
+    "fill 5 m on thin clay": Case(3, 5, 1.5, 15, 35, Soil(1, 38, 20), Soil(20, 0, 17), 1.22, 6),
+    "fill 8 m on clay": Case(5, 8, 1.5, 24, 56, Soil(2, 38, 20), Soil(30, 0, 17), 1.16, 6),
 }
 SIDES = 24  # of the yield polygon
 
@@ -227,6 +229,44 @@ def bound(multiplier, mesh, tighter):
     return tighter(found)
 
 
+def bishop(case):
+    """Least factor of safety of Bishop's simplified method over circles inside the section, as text."""
+    if not case.run:
+        return "no circle"  # through a vertical face the slices are not those of a slope
+    toe, top, clay, none = case.crest + case.run * case.height, case.depth + case.height, case.clay or case.fill, 9.0
+    across = (numpy.arange(400) + 0.5) / 200 - 1
+
+    def of_circle(circle):
+        x0, y0, low = circle
+        radius = y0 - max(low, 0)
+        x, base = x0 + radius * across, y0 - radius * numpy.sqrt(1 - across**2)
+        ground = numpy.interp(x, [case.crest, toe], [top, case.depth])
+        cut = numpy.flatnonzero(base < ground)
+        if len(cut) < 20 or cut[-1] - cut[0] >= len(cut) or cut[0] == 0 or cut[-1] == len(across) - 1:
+            return none
+        x, base, ground, sine = x[cut], base[cut], ground[cut], -across[cut]
+        if x[0] < 0 or x[-1] > case.right:
+            return none
+        weight = case.fill.unit_weight * (ground - numpy.maximum(base, case.depth)) + (
+            clay.unit_weight * numpy.maximum(numpy.minimum(ground, case.depth) - base, 0))
+        in_clay, driving, factor = base < case.depth, (weight * sine).sum(), 1.0
+        cohesion = numpy.where(in_clay, clay.cohesion, case.fill.cohesion)
+        friction = numpy.tan(numpy.radians(numpy.where(in_clay, clay.friction_angle, case.fill.friction_angle)))
+        for _ in range(15):
+            share = numpy.sqrt(1 - sine**2) + sine * friction / factor
+            if driving <= 0 or share.min() < 0.05:
+                return none
+            factor = ((cohesion + weight * friction) / share).sum() / driving
+        return factor
+
+    tried = sorted((of_circle((x, y, low)), x, y, low)
+                   for x in numpy.linspace(case.crest, toe + case.height, 12)
+                   for y in top + case.height * numpy.linspace(0.05, 3, 12)
+                   for low in numpy.linspace(0, case.depth + 0.2 * case.height, 8))
+    best = min(scipy.optimize.minimize(of_circle, start[1:], method="Nelder-Mead").fun for start in tried[:12])
+    return f"{best:.3f}"
+
+
 def scene_of(case, psi):
     """As JSON of the engine; psi: of the fill, degrees."""
     toe, top = case.crest + case.run * case.height, case.depth + case.height
@@ -260,15 +300,15 @@ def engine(program, case, psi):
 
 
 def main(program, *chosen):
-    print("| section | triangles | lower bound | upper bound | engine, psi = phi | engine, psi = 0 |")
-    print("|" + "---|" * 6)
+    print("| section | triangles | Bishop | lower bound | upper bound | engine, psi = phi | engine, psi = 0 |")
+    print("|" + "---|" * 7)
     for name, case in CASES.items():
         if chosen and name not in chosen:
             continue
         mesh = Mesh(case)
         low, high = bound(multiplier_from_below, mesh, max), bound(multiplier_from_above, mesh, min)
-        print(f"| {name} | {len(mesh.triangles)} | {low:.3f} | {high:.3f} | {engine(program, case, case.fill.friction_angle)} | "
-              f"{engine(program, case, 0)} |", flush=True)
+        print(f"| {name} | {len(mesh.triangles)} | {bishop(case)} | {low:.3f} | {high:.3f} | "
+              f"{engine(program, case, case.fill.friction_angle)} | {engine(program, case, 0)} |", flush=True)
 
 
 if __name__ == "__main__":
