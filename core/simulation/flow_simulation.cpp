@@ -29,6 +29,18 @@ constexpr int kChunk = 128;     // particles a thread takes at a time
 
 std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.external_y.bytes() + o.pore_pressure.bytes(); }
 
+/// sum V omega of a particle in the middle of a lattice, m-2.
+Real full_neighbourhood(Real spacing, Real h) {
+  const int reach = static_cast<int>(2 * h / spacing);
+  Real sum = 0;
+  for (int a = -reach; a <= reach; ++a)
+    for (int b = -reach; b <= reach; ++b) {
+      const Real left = std::max<Real>(1 - std::hypot(a, b) * spacing / (2 * h), 0);
+      if (a != 0 || b != 0) sum += spacing * spacing * 35 / (4 * kPi * h * h * h * h) * left * left * left;
+    }
+  return sum;
+}
+
 }  // namespace
 
 FlowSimulation::FlowSimulation(const LatticeSimulation& from, const FlowOptions& options, const FlowKernels& kernels)
@@ -98,6 +110,8 @@ void FlowSimulation::set_factor(Real factor) {
     law.constants.shear_modulus = model_.moduli[k].shear_modulus;
     law.constants.bulk_modulus = model_.moduli[k].bulk_modulus;
     law.algorithm = static_cast<int>(algorithm_of(model_.law[k]));
+    if (yields(model_.law[k]))
+      law.loose = model_.options.loose * full_neighbourhood(model_.spacing, model_.support / 2);
     if (model_.bond == FlowBondLaw::kPseudoSpring && yields(model_.law[k])) {
       // it does not yield: its springs break at the uniaxial strength in tension, or at the tension cut-off if lower
       const Real sine = std::sin(strength.friction_angle);

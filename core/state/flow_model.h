@@ -22,6 +22,7 @@ struct FlowOptions {
   Real disturbed = 0.01;             ///< plastic shear strain beyond which soil counts as disturbed
   Real guard_distance = 0.8;         ///< b: particles closer than b spacings repel each other
   Real guard_stiffness = 0.5;        ///< kappa, of K + 4G/3
+  Real loose = 1.0 / 3;  ///< a particle with less of sum V omega than that share of the bulk is a loose grain
   Real viscosity = 0.4;              ///< alpha c / sqrt(g H), on approach only
   Real viscosity_length = 1.3 / 20;  ///< h / H at which that viscosity is meant; held fixed when the spacing changes
   Real smallest_eigenvalue = 0.2;    ///< floor of the moment matrix, 1 in the bulk

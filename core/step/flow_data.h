@@ -13,6 +13,7 @@ struct FlowLaw {
   LawConstants constants;
   int algorithm = 0;                ///< 0 cone, 1 hexagon
   double breaking_stretch = 1e300;  ///< of a pseudo-spring
+  double loose = 0;                 ///< sum V omega below which a particle is a loose grain, m-2
 };
 
 /// What drives a run-out step: it changes between steps, never inside one.

@@ -14,6 +14,7 @@ struct VirtualBonds {
   static constexpr bool kBonds = true;      ///< hourglass virtual bonds carry a traction
   static constexpr bool kGapMemory = true;  ///< what came apart in tension closes before it carries pressure
   static constexpr bool kGuard = true;      ///< particles too close repel each other
+  static constexpr bool kGrains = true;     ///< what has hardly a neighbour left carries no stress
   static constexpr bool kArtificialStress = false;
   static constexpr bool kSprings = false;  ///< only pairs joined from the start act on each other
   static constexpr bool kDies = false;     ///< a particle that reaches its strength loses it
@@ -27,7 +28,7 @@ struct NoBonds : VirtualBonds {
 /// Libersky & Petschek (1991): a_i = sum m_j (sigma_i/rho_i^2 + sigma_j/rho_j^2) grad W, L_i = sum m_j/rho_j (v_j -
 /// v_i) (x) grad W, with the density at the release: soil changes its volume by far less than the sums err.
 struct PlainSph {
-  static constexpr bool kCorrected = false, kBonds = false, kGapMemory = false, kGuard = false;
+  static constexpr bool kCorrected = false, kBonds = false, kGapMemory = false, kGuard = false, kGrains = false;
   static constexpr bool kArtificialStress = false, kSprings = false, kDies = false;
 };
 
@@ -40,7 +41,7 @@ struct ArtificialStress : PlainSph {
 /// sums over so few neighbours need the moment matrix. The particles do not yield; particles that touch repel each
 /// other, joined or not.
 struct PseudoSprings {
-  static constexpr bool kCorrected = true, kBonds = false, kGapMemory = false, kGuard = true;
+  static constexpr bool kCorrected = true, kBonds = false, kGapMemory = false, kGuard = true, kGrains = false;
   static constexpr bool kArtificialStress = false, kSprings = true, kDies = false;
 };
 

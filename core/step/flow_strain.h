@@ -131,6 +131,7 @@ VBGPD_INLINE FlowSoils soils_at(const FlowData& d, const FlowControls& c, const 
   for (int k = 0; k < 4; ++k) {
     s.law[k] = c.laws + d.soil[four.at[k]];
     s.shear[k] = s.law[k]->constants.shear_modulus, s.bulk[k] = s.law[k]->constants.bulk_modulus;
+    s.loose[k] = s.law[k]->loose;
     s.same &= s.law[k] == s.law[0];
   }
   s.extra_cohesion = d.extra_cohesion == nullptr ? Pack{} : load_each(d.extra_cohesion, four.at) * c.cohesion_scale;
@@ -169,7 +170,7 @@ inline void strain_pass(const FlowData& shared, const FlowControls& shared_contr
     if constexpr (PairLaw::kDies) dead = load_each(d.dead, four.at);
     const Pack gap_before = gap;
     const FlowSoils soils = soils_at(d, c, four);
-    const StressUpdate update = update_stress<PairLaw>(soils, c.time_step, l, stress, gap, plastic_strain, dead);
+    const StressUpdate update = update_stress<PairLaw>(soils, c.time_step, l, m.d, stress, gap, plastic_strain, dead);
     four.put(d.stress, stress);
     four.put_each(d.gap, gap), four.put_each(d.plastic_strain, plastic_strain);
     if constexpr (PairLaw::kDies) four.put_each(d.dead, dead);

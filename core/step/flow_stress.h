@@ -12,7 +12,7 @@ inline namespace VBGPD_ISA {
 /// Soils of four particles.
 struct FlowSoils {
   const FlowLaw* law[4];
-  Pack shear, bulk, extra_cohesion;
+  Pack shear, bulk, extra_cohesion, loose;
   bool same;  ///< all of one soil: returned in lockstep
 };
 
@@ -53,17 +53,20 @@ VBGPD_INLINE Stress<Pack> returned(const FlowSoils& soils, const Stress<Pack>& t
 ///   given volume and energy);
 /// 2 the deviator turns exactly by the angle of that turn;
 /// 3 elastic increment; 4, 5 tension cut-off and yield surface by the return of the law.
-/// Where the law lets particles die, `dead` turns 1 with the first return and leaves pressure only.
+/// Where the law lets particles die, `dead` turns 1 with the first return and leaves pressure only. around: sum V
+/// omega. A loose grain, without two neighbours a spacing away, carries no stress: it has contacts (measured: with the
+/// stress of a continuum grains bounce off the toe).
 template <class PairLaw>
-VBGPD_INLINE StressUpdate update_stress(const FlowSoils& soils, double dt, const Quads& l, Quads& stress, Pack& gap,
-                                        Pack& plastic_strain, Pack& dead) {
+VBGPD_INLINE StressUpdate update_stress(const FlowSoils& soils, double dt, const Quads& l, Pack around, Quads& stress,
+                                        Pack& gap, Pack& plastic_strain, Pack& dead) {
   const Pack zero{};
   const Pack axx = 1.0 - 0.5 * dt * l.a, axy = -0.5 * dt * l.b, ayx = -0.5 * dt * l.c, ayy = 1.0 - 0.5 * dt * l.d;
   const Pack inverse = 1.0 / (axx * ayy - axy * ayx);
   const Pack lxx = (l.a * ayy - l.b * ayx) * inverse, lxy = (l.b * axx - l.a * axy) * inverse;
   const Pack lyx = (l.c * ayy - l.d * ayx) * inverse, lyy = (l.d * axx - l.c * axy) * inverse;
   const Pack shear = soils.shear, bulk = soils.bulk;
-  Pack opening = (lxx + lyy) * dt;
+  const Pack gap_before = gap, expansion = (lxx + lyy) * dt;
+  Pack opening = expansion;
   if constexpr (PairLaw::kGapMemory) {
     const Pack closed = larger(smaller(gap, -opening), zero);
     gap -= closed;
@@ -96,9 +99,16 @@ VBGPD_INLINE StressUpdate update_stress(const FlowSoils& soils, double dt, const
          select(gone, smaller(trial.m, zero), s.m)};
     ratio = select(gone, zero, ratio);
   }
+  if constexpr (PairLaw::kGrains) {
+    const auto loose = around < soils.loose;
+    if (any(loose)) {
+      s = {select(loose, zero, s.xx), select(loose, zero, s.yy), select(loose, zero, s.xy), select(loose, zero, s.m)};
+      gap = select(loose, larger(gap_before + expansion, zero), gap);
+    }
+  }
   const Pack mxx = 0.5 * (rxx + s.xx), myy = 0.5 * (ryy + s.yy), mxy = 0.5 * (rxy + s.xy), mm = 0.5 * (stress.d + s.m);
   stress = {s.xx, s.yy, s.xy, s.m};
-  return {ratio, (lxx + lyy) * dt, dt * ((mxx + mm) * lxx + (myy + mm) * lyy + mxy * (lxy + lyx))};
+  return {ratio, expansion, dt * ((mxx + mm) * lxx + (myy + mm) * lyy + mxy * (lxy + lyx))};
 }
 
 }  // namespace VBGPD_ISA

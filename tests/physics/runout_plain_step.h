@@ -33,6 +33,9 @@ class PlainRunout {
       p.mean = state.stress[4 * k + 3], p.gap = state.gap[k], p.plastic_strain = state.plastic_strain[k];
     }
     rival_ = m_.bond == FlowBondLaw::kSph;
+    for (int a = -9; a <= 9; ++a)
+      for (int b = -9; b <= 9; ++b)
+        if (a != 0 || b != 0) full_ += m_.spacing * m_.spacing * omega(m_.spacing * std::hypot(a, b));
     yields_ = std::any_of(m_.law.begin(), m_.law.end(), [](const AnyLaw& law) { return yields(law); });
   }
 
@@ -161,6 +164,7 @@ class PlainRunout {
     Particle& p = particles[i];
     const Real dt = m_.time_step, shear = moduli(i).shear_modulus, bulk = moduli(i).bulk_modulus;
     const Mat2 l = work_[i].gradient * (Mat2::Identity() - dt / 2 * work_[i].gradient).inverse();
+    const Real gap_before = p.gap;
     Real opening = l.trace() * dt;
     if (!rival_) {
       const Real closed = std::max<Real>(0, std::min(p.gap, -opening));
@@ -178,6 +182,11 @@ class PlainRunout {
     }
     p.deviator << end.xx, end.xy, end.xy, end.yy;
     p.mean = end.m;
+    const bool soil = yields(m_.law[static_cast<std::size_t>(m_.material[i])]);
+    if (soil && !rival_ && work_[i].omega0 < m_.options.loose * full_) {  // a loose grain
+      p.deviator.setZero(), p.mean = 0;
+      p.gap = std::max<Real>(gap_before + l.trace() * dt, 0);
+    }
   }
 
   /// Disturbed soil diffuses its stress like soil that yields.
@@ -298,7 +307,7 @@ class PlainRunout {
 
   const FlowModel& m_;
   std::size_t n_;
-  Real h_;
+  Real h_, full_ = 0;
   bool rival_ = false, yields_ = false;
   std::vector<Work> work_;
   std::vector<Image> images_;

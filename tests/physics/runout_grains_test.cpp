@@ -1,0 +1,91 @@
+// Loose grains of a run-out: what has hardly a neighbour left is no continuum. It has contacts and no stress.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "physics/runout_scenes.h"
+
+namespace vbgpd::test {
+namespace {
+
+MaterialDef clod() {
+  MaterialDef m = soil("drucker_prager", 5e3, 30);
+  m.young_modulus = 20e6;
+  return m;
+}
+
+/// velocity(x, y) at every particle, by where it started.
+template <class F>
+void throw_by(Simulation& s, F&& velocity) {
+  std::vector<double> v;
+  const std::vector<double> x = field(s, "position"), u = field(s, "displacement");
+  for (std::size_t i = 0; i < x.size(); i += 2) {
+    const Vec2 one = velocity(x[i] - u[i], x[i + 1] - u[i + 1]);
+    v.push_back(one.x()), v.push_back(one.y());
+  }
+  s.write(find_field("velocity"), v);
+}
+
+struct Meeting {
+  double largest_stress = 0, least_distance = 1, momentum = 0, energy_residual = 0;
+};
+
+/// Two of four particles leave, the others meet.
+Meeting meeting(const FlowOptions& options) {
+  const auto s = runout(free_body(clod(), 2, 2, 1), 1, options);
+  throw_by(*s, [](double, double y) { return Vec2(0, y < 1 ? 0 : 50); });
+  s->step(150, nullptr);
+  throw_by(*s, [](double x, double y) { return y < 1 ? Vec2(x < 1 ? 1 : -1, 0) : Vec2(0, 50); });
+  Meeting m;
+  for (int n = 0; n < 1200; ++n) {
+    s->step(1, nullptr);
+    for (const double stress : field(*s, "stress")) m.largest_stress = std::max(m.largest_stress, std::fabs(stress));
+    m.least_distance = std::min(m.least_distance, smallest_distance(*s));
+  }
+  const std::vector<double> v = field(*s, "velocity");
+  m.momentum = v[0] + v[2] + v[4] + v[6], m.energy_residual = s->get("energy_residual");
+  return m;
+}
+
+TEST(RunoutGrains, CarryNoStressWhereTwoMeetAlone) {
+  FlowOptions options;
+  options.time_step = 0.1;
+  const Meeting m = meeting(options);
+  EXPECT_EQ(m.largest_stress, 0);
+  EXPECT_LT(m.least_distance, 0.8);  // the guard has parted them
+  EXPECT_NEAR(m.momentum, 0, 1e-14);
+  EXPECT_LT(m.energy_residual, 0.01);
+  options.loose = 0;
+  EXPECT_GT(meeting(options).largest_stress, 1e3);
+}
+
+/// Particles that do not hang together with the largest mass.
+std::size_t lost(const FlowSimulation& s) {
+  const std::vector<double> x = field(s, "position");
+  const std::size_t n = x.size() / 2;
+  const double link = 1.6 * s.model().spacing;
+  std::vector<std::size_t> mass(n), size(n, 0);
+  std::iota(mass.begin(), mass.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) {
+    while (mass[i] != i) i = mass[i] = mass[mass[i]];
+    return i;
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::hypot(x[2 * i] - x[2 * j], x[2 * i + 1] - x[2 * j + 1]) < link) mass[root(i)] = root(j);
+  for (std::size_t i = 0; i < n; ++i) ++size[root(i)];
+  return n - *std::max_element(size.begin(), size.end());
+}
+
+// sand in motion is chaotic: 0 in most runs, 1 in some
+TEST(RunoutGrains, StayWithACollapsingColumn) {
+  const auto s = runout(bar_column(20));
+  load_by_gravity(*s);
+  s->advance_to(0.8, [] { return Status::kOk; });
+  EXPECT_LE(lost(*s), 2u);
+}
+
+}  // namespace
+}  // namespace vbgpd::test
