@@ -143,6 +143,7 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
   e.reason = "bracketed on one grid; the discretisation error is not estimated";
   const Level* const coarse = coarser(levels, fine);
   double difference = 0, noise = half;
+  bool rises = false;
   if (coarse != nullptr) {
     e.value = extrapolated(*coarse, fine, 1);
     difference = std::fabs(e.value - fine.factor_of_safety);
@@ -157,14 +158,16 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
     if (third != nullptr) take_third_grid(*third, *coarse, fine, noise, e);
     // Nearly always the finer grid reads lower. Where it reads higher the coarse one has missed something, and there is
     // no order to go by. Carried on upwards at first order, values were up to 2.4 % above rigorous upper bounds.
-    else if (fine.factor_of_safety - coarse->factor_of_safety > half + half_bracket(*coarse)) {
-      e.value = fine.factor_of_safety, e.error = difference + noise;
+    const double rise = fine.factor_of_safety - coarse->factor_of_safety;
+    rises = third == nullptr && rise > half + half_bracket(*coarse);
+    if (rises) {
+      e.value = fine.factor_of_safety, e.error = std::max(difference, rise) + noise;
       e.reason =
           grids_text(levels.size()) +
           "; the finer one reads higher, which first order does not explain: its value is given, not extrapolated";
     }
     e.discretisation = true;
-    const std::string doubt = e.status == "OK" ? doubt_of(*coarse, fine) : std::string();
+    const std::string doubt = e.status == "OK" && !rises ? doubt_of(*coarse, fine) : std::string();
     if (!doubt.empty()) e.error = std::max(e.error, difference + noise), e.reason += "; " + doubt;
   }
   // Bonds as long as a layer is thick know both its sides and nothing of itself. Differences to a grid whose support
@@ -172,7 +175,7 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
   // (a high order) and that of first order. The coarse grid has hardly seen the layer and stands too near: below first
   // order lies half as much again.
   constexpr double kSupport = 2.6, kAgain = 1.5;
-  if (e.status == "OK" && coarse != nullptr && cells >= kResolvedCells &&
+  if (e.status == "OK" && !rises && coarse != nullptr && cells >= kResolvedCells &&
       thinnest.thickness / spacing_of(*coarse) < kSupport) {
     e.value = (fine.factor_of_safety + e.value) / 2;
     e.error = (kAgain - 0.5) * difference + noise;

@@ -44,9 +44,10 @@ struct Estimate {
 
 /// Extrapolates over the finest grid and the finest one at least twice as coarse, at first order,
 ///   FS* = FS(h) - (FS(r h) - FS(h)) / (r - 1).
-/// Brackets enter with their full width. Half of what was extrapolated stays in doubt; a third grid replaces that half
-/// by what the observed order changes. Where the sliding mass differs from grid to grid all of it stays in doubt.
-/// Needs at least one level; every level has a factor of safety.
+/// Two grids of which the finer reads higher are not extrapolated: its value, and an error that reaches back to the
+/// other. Brackets enter with their full width. Half of what was extrapolated stays in doubt; a third grid replaces
+/// that half by what the observed order changes. Where the sliding mass differs from grid to grid all of it stays in
+/// doubt. Needs at least one level; every level has a factor of safety.
 Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest);
 
 /// Wall seconds of a grid with that spacing: particles times steps grow like spacing^-3, or as the last two grids did

@@ -127,7 +127,7 @@ struct FourPlaces {
 
 VBGPD_INLINE FlowSoils soils_at(const FlowData& d, const FlowControls& c, const FourPlaces& four) {
   FlowSoils s;
-  s.same = true;
+  s.same = true, s.disturbed = c.disturbed;
   for (int k = 0; k < 4; ++k) {
     s.law[k] = c.laws + d.soil[four.at[k]];
     s.shear[k] = s.law[k]->constants.shear_modulus, s.bulk[k] = s.law[k]->constants.bulk_modulus;

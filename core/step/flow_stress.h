@@ -13,7 +13,8 @@ inline namespace VBGPD_ISA {
 struct FlowSoils {
   const FlowLaw* law[4];
   Pack shear, bulk, extra_cohesion, loose;
-  bool same;  ///< all of one soil: returned in lockstep
+  double disturbed;  ///< plastic shear strain beyond which soil may come loose
+  bool same;         ///< all of one soil: returned in lockstep
 };
 
 /// What one update did.
@@ -54,8 +55,9 @@ VBGPD_INLINE Stress<Pack> returned(const FlowSoils& soils, const Stress<Pack>& t
 /// 2 the deviator turns exactly by the angle of that turn;
 /// 3 elastic increment; 4, 5 tension cut-off and yield surface by the return of the law.
 /// Where the law lets particles die, `dead` turns 1 with the first return and leaves pressure only. around: sum V
-/// omega. A loose grain, without two neighbours a spacing away, carries no stress: it has contacts (measured: with the
-/// stress of a continuum grains bounce off the toe).
+/// omega. A loose grain, disturbed soil without two neighbours a spacing away, has contacts and neither stress nor
+/// bonds (measured: with the stress of a continuum grains bounce off the toe). What diffuses into it is gone a step
+/// later.
 template <class PairLaw>
 VBGPD_INLINE StressUpdate update_stress(const FlowSoils& soils, double dt, const Quads& l, Pack around, Quads& stress,
                                         Pack& gap, Pack& plastic_strain, Pack& dead) {
@@ -100,10 +102,11 @@ VBGPD_INLINE StressUpdate update_stress(const FlowSoils& soils, double dt, const
     ratio = select(gone, zero, ratio);
   }
   if constexpr (PairLaw::kGrains) {
-    const auto loose = around < soils.loose;
+    const auto loose = (around < soils.loose) & (plastic_strain > broadcast(soils.disturbed));
     if (any(loose)) {
       s = {select(loose, zero, s.xx), select(loose, zero, s.yy), select(loose, zero, s.xy), select(loose, zero, s.m)};
-      gap = select(loose, larger(gap_before + expansion, zero), gap);
+      ratio = select(loose, zero, ratio);
+      gap = select(loose, larger(gap_before + expansion + stress.d / bulk, zero), gap);
     }
   }
   const Pack mxx = 0.5 * (rxx + s.xx), myy = 0.5 * (ryy + s.yy), mxy = 0.5 * (rxy + s.xy), mm = 0.5 * (stress.d + s.m);

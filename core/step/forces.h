@@ -68,7 +68,9 @@ inline Sums move_pass(const StepData& shared, const Controls& shared_controls, c
                     (select(vx > zero, broadcast(1.0), zero) - select(vx < zero, broadcast(1.0), zero));
     const Pack dy = -c.local_damping * magnitude(fy) *
                     (select(vy > zero, broadcast(1.0), zero) - select(vy < zero, broadcast(1.0), zero));
-    const Pack mass = load(c.mass + i), kick = c.kick * (1.0 / select(mass > zero, mass, broadcast(1.0)));
+    const Pack mass = load(c.mass + i);  // 0 in padding and without a neighbour: stays
+    const auto there = mass > zero;
+    const Pack kick = select(there, c.kick * (1.0 / select(there, mass, broadcast(1.0))), zero);
     const Pack nx = c.momentum * vx + kick * (fx + dx), ny = c.momentum * vy + kick * (fy + dy);
     const Pack ux = load(d.ux + i) + c.time_step * nx, uy = load(d.uy + i) + c.time_step * ny;
     store(d.vx + i, nx), store(d.vy + i, ny);

@@ -28,37 +28,51 @@ void throw_by(Simulation& s, F&& velocity) {
   s.write(find_field("velocity"), v);
 }
 
-struct Meeting {
-  double largest_stress = 0, least_distance = 1, momentum = 0, energy_residual = 0;
+struct Pair {
+  double largest_stress = 0, least_distance = 1, momentum = 0, energy_residual = 0, end_speed = 0;
 };
 
-/// Two of four particles leave, the others meet.
-Meeting meeting(const FlowOptions& options) {
+/// Two of four particles leave, the others go on at that speed towards each other.
+Pair pair_of(const FlowOptions& options, double speed) {
   const auto s = runout(free_body(clod(), 2, 2, 1), 1, options);
   throw_by(*s, [](double, double y) { return Vec2(0, y < 1 ? 0 : 50); });
   s->step(150, nullptr);
-  throw_by(*s, [](double x, double y) { return y < 1 ? Vec2(x < 1 ? 1 : -1, 0) : Vec2(0, 50); });
-  Meeting m;
+  throw_by(*s, [&](double x, double y) { return y < 1 ? Vec2(x < 1 ? speed : -speed, 0) : Vec2(0, 50); });
+  Pair p;
   for (int n = 0; n < 1200; ++n) {
     s->step(1, nullptr);
-    for (const double stress : field(*s, "stress")) m.largest_stress = std::max(m.largest_stress, std::fabs(stress));
-    m.least_distance = std::min(m.least_distance, smallest_distance(*s));
+    for (const double stress : field(*s, "stress")) p.largest_stress = std::max(p.largest_stress, std::fabs(stress));
+    p.least_distance = std::min(p.least_distance, smallest_distance(*s));
   }
   const std::vector<double> v = field(*s, "velocity");
-  m.momentum = v[0] + v[2] + v[4] + v[6], m.energy_residual = s->get("energy_residual");
-  return m;
+  for (std::size_t i = 0; i < v.size(); i += 2)
+    p.momentum += v[i], p.end_speed = std::max(p.end_speed, std::fabs(v[i]));
+  p.energy_residual = s->get("energy_residual");
+  return p;
+}
+
+FlowOptions small_steps() {
+  FlowOptions options;
+  options.time_step = 0.1;
+  return options;
 }
 
 TEST(RunoutGrains, CarryNoStressWhereTwoMeetAlone) {
-  FlowOptions options;
-  options.time_step = 0.1;
-  const Meeting m = meeting(options);
-  EXPECT_EQ(m.largest_stress, 0);
-  EXPECT_LT(m.least_distance, 0.8);  // the guard has parted them
-  EXPECT_NEAR(m.momentum, 0, 1e-14);
-  EXPECT_LT(m.energy_residual, 0.01);
-  options.loose = 0;
-  EXPECT_GT(meeting(options).largest_stress, 1e3);
+  const Pair p = pair_of(small_steps(), 1);
+  EXPECT_EQ(p.largest_stress, 0);
+  EXPECT_LT(p.least_distance, 0.8);  // the guard has parted them
+  EXPECT_NEAR(p.momentum, 0, 1e-14);
+  EXPECT_LT(p.energy_residual, 0.01);
+  FlowOptions continuum = small_steps();
+  continuum.loose = 0;
+  EXPECT_GT(pair_of(continuum, 1).largest_stress, 1e3);
+}
+
+TEST(RunoutGrains, PartWithoutAPull) {
+  EXPECT_NEAR(pair_of(small_steps(), -1).end_speed, 1, 1e-12);
+  FlowOptions continuum = small_steps();
+  continuum.loose = 0;
+  EXPECT_LT(pair_of(continuum, -1).end_speed, 0.999);
 }
 
 /// Particles that do not hang together with the largest mass.

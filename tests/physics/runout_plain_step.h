@@ -164,7 +164,7 @@ class PlainRunout {
     Particle& p = particles[i];
     const Real dt = m_.time_step, shear = moduli(i).shear_modulus, bulk = moduli(i).bulk_modulus;
     const Mat2 l = work_[i].gradient * (Mat2::Identity() - dt / 2 * work_[i].gradient).inverse();
-    const Real gap_before = p.gap;
+    const Real gap_before = p.gap, mean_before = p.mean;
     Real opening = l.trace() * dt;
     if (!rival_) {
       const Real closed = std::max<Real>(0, std::min(p.gap, -opening));
@@ -183,9 +183,10 @@ class PlainRunout {
     p.deviator << end.xx, end.xy, end.xy, end.yy;
     p.mean = end.m;
     const bool soil = yields(m_.law[static_cast<std::size_t>(m_.material[i])]);
-    if (soil && !rival_ && work_[i].omega0 < m_.options.loose * full_) {  // a loose grain
-      p.deviator.setZero(), p.mean = 0;
-      p.gap = std::max<Real>(gap_before + l.trace() * dt, 0);
+    const bool disturbed = p.plastic_strain > m_.options.disturbed;
+    if (soil && disturbed && !rival_ && work_[i].omega0 < m_.options.loose * full_) {  // a loose grain
+      p.deviator.setZero(), p.mean = 0, work_[i].ratio = 0;
+      p.gap = std::max<Real>(gap_before + l.trace() * dt + mean_before / bulk, 0);
     }
   }
 
