@@ -6,6 +6,7 @@
 
 #include "scene/wording.h"
 #include "simulation/build_flow.h"
+#include "smoothing/kernels.h"
 #include "state/flow_drift.h"
 #include "state/flow_neighbours.h"
 
@@ -29,14 +30,14 @@ constexpr int kChunk = 128;     // particles a thread takes at a time
 
 std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.external_y.bytes() + o.pore_pressure.bytes(); }
 
-/// sum V omega of a particle in the middle of a lattice, m-2.
+/// sum V omega of a particle in the middle of a lattice, m-2; omega = -W'(r)/r.
 Real full_neighbourhood(Real spacing, Real h) {
   const int reach = static_cast<int>(2 * h / spacing);
   Real sum = 0;
   for (int a = -reach; a <= reach; ++a)
     for (int b = -reach; b <= reach; ++b) {
-      const Real left = std::max<Real>(1 - std::hypot(a, b) * spacing / (2 * h), 0);
-      if (a != 0 || b != 0) sum += spacing * spacing * 35 / (4 * kPi * h * h * h * h) * left * left * left;
+      const Real r = std::hypot(a, b) * spacing;
+      if (r > 0) sum -= spacing * spacing * WendlandC2::derivative(r, h) / r;
     }
   return sum;
 }

@@ -16,14 +16,14 @@ namespace vbgpd {
 
 /// Numbers of the method (see core/README.md, "Run-out"). Lengths in particle spacings, the rest without dimension.
 struct FlowOptions {
-  Real bond_stiffness = 0.3;         ///< chi of soil: filters noise, decays with plastic flow
-  Real elastic_bond_stiffness = 1;   ///< chi of a material that never yields: its bonds carry tension
-  Real stress_diffusion = 0.08;      ///< zeta, in soil that yields or is disturbed
-  Real disturbed = 0.01;             ///< plastic shear strain beyond which soil counts as disturbed
-  Real guard_distance = 0.8;         ///< b: particles closer than b spacings repel each other
-  Real guard_stiffness = 0.5;        ///< kappa, of K + 4G/3
-  Real loose = 1.0 / 3;  ///< a particle with less of sum V omega than that share of the bulk is a loose grain
-  Real viscosity = 0.4;              ///< alpha c / sqrt(g H), on approach only
+  Real bond_stiffness = 0.3;        ///< chi of soil: filters noise, decays with plastic flow
+  Real elastic_bond_stiffness = 1;  ///< chi of a material that never yields: its bonds carry tension
+  Real stress_diffusion = 0.08;     ///< zeta, in soil that yields or is disturbed
+  Real disturbed = 0.01;            ///< plastic shear strain beyond which soil counts as disturbed
+  Real guard_distance = 0.8;        ///< b: particles closer than b spacings repel each other
+  Real guard_stiffness = 0.5;       ///< kappa, of K + 4G/3
+  Real loose = 1.0 / 3;  ///< disturbed soil with less of sum V omega than that share of the bulk is a loose grain
+  Real viscosity = 0.4;  ///< alpha c / sqrt(g H), on approach only
   Real viscosity_length = 1.3 / 20;  ///< h / H at which that viscosity is meant; held fixed when the spacing changes
   Real smallest_eigenvalue = 0.2;    ///< floor of the moment matrix, 1 in the bulk
   Real skin = 0.5;                   ///< how far beyond the support neighbours are listed

@@ -305,19 +305,8 @@ Rings collided(std::string_view bond) {
   const double before = s->get("kinetic_energy");
   s->step(static_cast<std::int64_t>(220 / wave / s->get("time_step")),
           nullptr);  // splinters may run away: that ends it
-  const std::vector<double> x = field(*s, "position");
-  const std::size_t n = places.size();
-  std::vector<std::size_t> piece(n);
-  for (std::size_t i = 0; i < n; ++i) piece[i] = i;
-  const auto root_of = [&](std::size_t i) {
-    while (piece[i] != i) i = piece[i];
-    return i;
-  };
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (std::hypot(x[2 * i] - x[2 * j], x[2 * i + 1] - x[2 * j + 1]) < 1.6 * kSpacing) piece[root_of(i)] = root_of(j);
   Rings rings;
-  for (std::size_t i = 0; i < n; ++i) rings.pieces += piece[i] == i ? 1 : 0;
+  rings.pieces = static_cast<int>(pieces(field(*s, "position"), 1.6 * kSpacing).size());
   rings.kinetic_share = s->get("kinetic_energy") / before;
   return rings;
 }

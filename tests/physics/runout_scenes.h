@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "physics/scenes.h"
 #include "simulation/flow_simulation.h"
@@ -56,6 +57,31 @@ inline double smallest_distance(const FlowSimulation& s) {
   for (std::size_t i = 0; i < x.size(); i += 2)
     for (std::size_t j = 0; j < i; j += 2) least = std::min(least, std::hypot(x[i] - x[j], x[i + 1] - x[j + 1]));
   return least;
+}
+
+/// Particles nearer than that to particle i; x: of all, x and y in turns.
+inline std::vector<std::size_t> near(const std::vector<double>& x, std::size_t i, double reach) {
+  std::vector<std::size_t> found;
+  for (std::size_t j = 0; j < x.size() / 2; ++j)
+    if (j != i && std::hypot(x[2 * j] - x[2 * i], x[2 * j + 1] - x[2 * i + 1]) < reach) found.push_back(j);
+  return found;
+}
+
+/// How many particles each mass has that hangs together by distances below `link`.
+inline std::vector<std::size_t> pieces(const std::vector<double>& x, double link) {
+  std::vector<bool> seen(x.size() / 2, false);
+  std::vector<std::size_t> sizes;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i]) continue;
+    seen[i] = true, sizes.push_back(0);
+    for (std::vector<std::size_t> open{i}; !open.empty(); ++sizes.back()) {
+      const std::size_t k = open.back();
+      open.pop_back();
+      for (const std::size_t j : near(x, k, link))
+        if (!seen[j]) seen[j] = true, open.push_back(j);
+    }
+  }
+  return sizes;
 }
 
 }  // namespace vbgpd::test
