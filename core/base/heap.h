@@ -39,7 +39,7 @@ struct HeapAllocator {
   using propagate_on_container_copy_assignment = std::true_type;
   using propagate_on_container_move_assignment = std::true_type;
   using propagate_on_container_swap = std::true_type;
-  static constexpr std::size_t kAlignment = alignof(std::max_align_t);
+  static constexpr std::size_t kAlignment = 64;  // of a cache line, as packs are read
 
   Heap heap;
   HeapAllocator() = default;

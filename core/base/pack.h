@@ -29,11 +29,15 @@ inline constexpr int kWidth = 4;
 
 using Pack [[gnu::vector_size(kWidth * sizeof(double))]] = double;
 using PackU [[gnu::vector_size(kWidth * sizeof(double)), gnu::aligned(8), gnu::may_alias]] = double;
+using SinglePackU [[gnu::vector_size(kWidth * sizeof(float)), gnu::aligned(4), gnu::may_alias]] = float;
 using Mask [[gnu::vector_size(kWidth * sizeof(double))]] = std::int64_t;
 
 #define VBGPD_INLINE [[gnu::always_inline]] inline
 
 VBGPD_INLINE Pack load(const double* p) { return *reinterpret_cast<const PackU*>(p); }
+VBGPD_INLINE Pack load(const float* p) {
+  return __builtin_convertvector(*reinterpret_cast<const SinglePackU*>(p), Pack);
+}
 VBGPD_INLINE void store(double* p, Pack v) { *reinterpret_cast<PackU*>(p) = v; }
 /// v in every lane (v - 0 is v, also for -0, so nothing is computed).
 template <class R>

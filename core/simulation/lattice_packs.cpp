@@ -36,7 +36,7 @@ class Lines {
     std::int32_t next = width;
     for (std::size_t c = 0; c < low_.size(); ++c) {
       start_.push_back(next);
-      if (high_[c] >= low_[c]) next += (high_[c] - low_[c] + 2 * width - 1) / width * width;
+      if (high_[c] >= low_[c]) next += (high_[c] - low_[c] + 1 + 2 * (width - 1)) / width * width;
     }
     storage_ = next + width;
   }
@@ -326,15 +326,15 @@ Mat2 guarded_inverse(const Mat2& moment) {
 /// omega_ij of every pair, where no two are alike. The records of bonds are those of the forward packs.
 void build_weights(const Occupancy& who, const AnyKernel& kernel, Real h, Model& m) {
   const auto width = static_cast<std::size_t>(m.width);
-  m.pair_weight.allocate(m.neighbours.size() * width, 15, m.heap);
+  m.pair_weight.resize(m.neighbours.size() * width);
   for (const Block& block : m.blocks)
     for (std::int32_t k = block.neighbours_begin; k < block.neighbours_end; ++k) {
-      double* const weights =
+      float* const weights =
           m.pair_weight.data() + width * static_cast<std::size_t>(weight_record(block, k, m.forward_packs));
       const std::int32_t second = m.neighbours[static_cast<std::size_t>(k)].j;
       for (int l = 0; l < m.width; ++l) {
         const std::int32_t i = block.first + l, j = second + l;
-        weights[l] = who.joined(i, j) ? value(kernel, who.distance(i, j), h) : 0;
+        weights[l] = who.joined(i, j) ? static_cast<float>(value(kernel, who.distance(i, j), h)) : 0;
       }
     }
 }

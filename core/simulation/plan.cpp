@@ -90,7 +90,7 @@ std::vector<Feature> LatticeSimulation::plan() const {
       {"particles", "position, motion, volume, mass, forces, operators", true, particles, 0},
       {"neighbour lists", "who lies within the support of whom", true, bytes_of(m.neighbours) + bytes_of(m.offsets), 0},
       {"jitter", "particles off the lattice, every pair with a weight of its own", m.off_lattice(),
-       sum_of(m.place_x, m.place_y, m.pair_weight) + bytes_of(section_.shifts), 0},
+       sum_of(m.place_x, m.place_y) + bytes_of(m.pair_weight) + bytes_of(section_.shifts), 0},
       {"virtual bonds", "a stress of its own in every bond", bonded,
        bonded ? sum_of(t.pair_force_x, t.pair_force_y) : 0, bonded ? packs : 0},
       {"plasticity", "plastic strain of every bond, without bonds of every particle", m.features.plastic,

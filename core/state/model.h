@@ -54,8 +54,10 @@ struct Model {
   Array extra_cohesion;   ///< present with a cohesion gradient: Pa above the material's cohesion
   Array compressibility;  ///< present where bonds dilate between soils of different stiffness: 1/K, Pa-1
   // present where particles are off the lattice (scene's jitter); then offsets tell who may be near, no more
-  Array place_x, place_y;       ///< of the particles, from the lattice's origin, m
-  Array pair_weight;            ///< omega_ij [neighbour packs x width] by weight_record, 0 where a lane is no bond
+  Array place_x, place_y;  ///< of the particles, from the lattice's origin, m
+  /// omega_ij [neighbour packs x width] by weight_record, 0 where a lane is no bond; single precision, the same for
+  /// both ends, whose sums (moments, omega0) are made of these: operators stay exact for linear fields, forces balance
+  List<float> pair_weight;
   List<std::int32_t> material;  ///< per storage index, -1 = padding
   // bookkeeping between seeds and storage
   List<std::int32_t> seed_of;     ///< storage -> seed, -1 = padding

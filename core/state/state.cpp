@@ -15,16 +15,17 @@ std::size_t bytes_of(const std::vector<T, A>& v) {
 
 void Model::take_from(const Heap& from) {
   heap = from;
-  use(blocks, heap), use(neighbours, heap), use(packs, heap);
+  use(blocks, heap), use(neighbours, heap), use(packs, heap), use(pair_weight, heap);
   use(material, heap), use(seed_of, heap), use(storage_of, heap), use(id_of, heap);
 }
 
 std::size_t Model::bytes() const {
   std::size_t sum = bytes_of(offsets) + bytes_of(blocks) + bytes_of(neighbours) + bytes_of(packs) + bytes_of(chunks) +
-                    bytes_of(guided) + bytes_of(material) + bytes_of(seed_of) + bytes_of(storage_of) + bytes_of(id_of);
+                    bytes_of(guided) + bytes_of(material) + bytes_of(seed_of) + bytes_of(storage_of) + bytes_of(id_of) +
+                    bytes_of(pair_weight);
   for (const Array* a :
        {&volume, &share, &moment_xx, &moment_xy, &moment_yy, &sum_x, &sum_y, &force_x, &force_y, &free_x, &free_y,
-        &mass, &scaled_mass, &extra_cohesion, &compressibility, &place_x, &place_y, &pair_weight})
+        &mass, &scaled_mass, &extra_cohesion, &compressibility, &place_x, &place_y})
     sum += a->bytes();
   return sum;
 }

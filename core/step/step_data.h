@@ -44,7 +44,8 @@ struct StepData {
   int guided_count;
   const double *volume, *share, *moment_xx, *moment_xy, *moment_yy, *force_x, *force_y, *free_x, *free_y, *sum_x,
       *sum_y, *extra_cohesion, *compressibility;
-  const double *place_x, *place_y, *pair_weight;  ///< off the lattice only; weights by weight_record
+  const double *place_x, *place_y;  ///< off the lattice only
+  const float* pair_weight;         ///< likewise, by weight_record
   std::int32_t forward_packs;
   double least_r2;  ///< m2, nearer pairs are no bonds but padding
   bool uses_algorithm[2];

@@ -122,7 +122,8 @@ class ReferenceStep {
 
  private:
   Real weight(std::size_t i, std::size_t j) const {
-    return value(*kernel_by_name(scene_.kernel), (x[j] - x[i]).norm(), h_);
+    const Real exact = value(*kernel_by_name(scene_.kernel), (x[j] - x[i]).norm(), h_);
+    return scene_.jitter > 0 ? static_cast<Real>(static_cast<float>(exact)) : exact;  // weights of their own are single
   }
   Vec2 phi(std::size_t i, std::size_t j) const { return volume(j) * weight(i, j) * inverse_moment[i] * (x[j] - x[i]); }
   std::size_t pair_of(std::size_t i, std::size_t j) const {
