@@ -37,7 +37,7 @@ Shape shape_of(const SceneDef& scene) {
 }
 
 /// Places of a lattice: cells of soil, those and the hollows that its lines run through, walls along three sides of the
-/// box, and two packs of padding per line.
+/// box, and less than two packs of padding per line.
 struct Places {
   double soil, filled, walls, lines;
 };
@@ -93,12 +93,12 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
   const Shape shape = shape_of(scene);
   const Places places = places_of(scene, lattice);
   const double particles = places.soil + places.walls, blocks = particles / width + places.lines;
-  const double storage = places.filled + places.walls + 2 * width * places.lines;
+  const double storage = places.filled + places.walls + 2 * (width - 1) * places.lines;
   const double offsets = forward_offsets(scene, lattice), packs = blocks * (shape.bonded ? offsets : 1);
   // the state, the motion for the monitors, the state of the energy audit
   constexpr double kCopies = 2, kMotions = 3;
   const double motion = 4 + (shape.volumetric ? 2 : 0), strain = shape.plastic && !shape.bonded ? 3 : 0;
-  const double shifted = scene.jitter > 0 ? 1 : 0, weights = shifted * width * sizeof(double);
+  const double shifted = scene.jitter > 0 ? 1 : 0, weights = shifted * width * sizeof(float);
   const double model = 12 + (shape.bonded ? 1 : 0) + (shape.gradient ? 1 : 0) + (shape.uneven ? 1 : 0) + 2 * shifted +
                        (has_ground_water(scene) ? 1 : 0);
   const double scratch = 11 + (shape.bonded ? 2 : 0) + (shape.volumetric ? 2 : 0) + (shape.dilatant ? 2 : 0);
