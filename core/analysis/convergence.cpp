@@ -70,48 +70,170 @@ void refuse(Estimate& e, const Level& fine, const char* status, double error, co
   e.reason = reason + ": the value of the finest grid is given, not extrapolated";
 }
 
-std::string grids_text(std::size_t count) { return "bracketed on " + std::to_string(count) + " grids"; }
+/// What the rules below look at: the finest grid, the one it is extrapolated from and a third one, where they are
+/// there.
+struct Grids {
+  std::size_t count;
+  const Level& fine;
+  const Level* coarse = nullptr;
+  const Level* third = nullptr;
+  const ThinLayer& thinnest;
+  Real cells;           ///< thickness of the thinnest layer, spacings of the finest grid
+  double half, strays;  ///< half the bracket of the finest grid; non-associated soil may flow in jerks, the factor too
+  double extrapolated = kNone, difference = 0;  ///< at first order; from the value of the finest grid
+  /// What the brackets leave open: half of each, magnified as they enter the extrapolated value.
+  double noise;
 
-void take_third_grid(const Level& third, const Level& coarse, const Level& fine, double noise, Estimate& e) {
+  Grids(std::span<const Level> levels, const ThinLayer& layer)
+      : count(levels.size()),
+        fine(levels.back()),
+        coarse(coarser(levels, fine)),
+        thinnest(layer),
+        cells(layer.thickness / spacing_of(fine)),
+        half(half_bracket(fine)),
+        strays(fine.unsteadiness),
+        noise(half) {
+    if (coarse == nullptr) return;
+    third = coarser(levels, *coarse);
+    for (const Level& l : levels)
+      if (third == nullptr && &l != coarse && &l != &fine) third = &l;
+    extrapolated = vbgpd::extrapolated(*coarse, fine, 1);
+    difference = std::fabs(extrapolated - fine.factor_of_safety);
+    const double magnified = 1 / (spacing_of(*coarse) / spacing_of(fine) - 1);
+    noise = half * (1 + magnified) + half_bracket(*coarse) * magnified + strays;
+  }
+  std::string text() const { return "bracketed on " + std::to_string(count) + " grids"; }
+};
+
+Estimate of_one_grid(const Grids& g) {
+  Estimate e;
+  e.status = "OK", e.value = g.fine.factor_of_safety, e.error = g.half + g.strays;
+  e.reason = "bracketed on one grid; the discretisation error is not estimated";
+  return e;
+}
+
+Estimate of_two_grids(const Grids& g) {
+  Estimate e;
+  e.status = "OK", e.value = g.extrapolated, e.error = g.noise + g.difference / 2, e.discretisation = true;
+  e.reason = g.text() + " and extrapolated at first order";
+  return e;
+}
+
+/// Nearly always the finer grid reads lower. Where it reads higher the coarse one has missed something, and there is no
+/// order to go by. Carried on upwards at first order, values were up to 2.4 % above rigorous upper bounds.
+bool rises(const Grids& g) {
+  return g.fine.factor_of_safety - g.coarse->factor_of_safety > g.half + half_bracket(*g.coarse);
+}
+Estimate of_rising_grids(const Grids& g) {
+  Estimate e;
+  const double rise = g.fine.factor_of_safety - g.coarse->factor_of_safety;
+  e.status = "OK", e.value = g.fine.factor_of_safety, e.discretisation = true;
+  e.error = std::max(g.difference, rise) + g.noise;
+  e.reason = g.text() +
+             "; the finer one reads higher, which first order does not explain: its value is given, not extrapolated";
+  return e;
+}
+
+/// An estimate of two grids, with what the third says of the order.
+void take_third_grid(const Grids& g, Estimate& e) {
+  const Level &third = *g.third, &coarse = *g.coarse, &fine = g.fine;
   const bool between = spacing_of(third) < spacing_of(coarse);
   const Order order = between ? observed(coarse, third, fine) : observed(third, coarse, fine);
   constexpr double kLow = 0.5, kHigh = 2;  // orders outside say more about the brackets than about the grids
-  const double difference = std::fabs(e.value - fine.factor_of_safety);
   const double spread = std::max({third.factor_of_safety, coarse.factor_of_safety, fine.factor_of_safety}) -
                         std::min({third.factor_of_safety, coarse.factor_of_safety, fine.factor_of_safety});
   e.observed_order = order.value;
   if (!order.known) {
-    e.error = noise + difference / 2;
+    e.error = g.noise + g.difference / 2;
     e.reason += "; the grids differ by less than their brackets";
   } else if (!order.monotonic) {
-    refuse(e, fine, "NOT_MONOTONIC", spread + noise, "the factors of safety of the grids go up and down");
+    refuse(e, fine, "NOT_MONOTONIC", spread + g.noise, "the factors of safety of the grids go up and down");
   } else if (!order.first) {
     // slower than first order, the finest grid is further off than first order says
     const double p = order.slow ? std::max(std::isnan(order.value) ? kLow : order.value, kLow) : 1;
-    refuse(e, fine, "NOT_FIRST_ORDER", std::fabs(extrapolated(coarse, fine, p) - fine.factor_of_safety) + noise,
+    refuse(e, fine, "NOT_FIRST_ORDER", std::fabs(extrapolated(coarse, fine, p) - fine.factor_of_safety) + g.noise,
            "the three grids do not differ at first order (ratio of differences " + number_text(order.ratio, 3) + ")");
   } else if (std::isnan(order.value)) {  // differences of other signs within the brackets, or orders next to nothing
     const double slow = order.slow ? std::fabs(extrapolated(coarse, fine, kLow) - e.value) : 0;
-    e.error = noise + std::max(difference / 2, slow);
+    e.error = g.noise + std::max(g.difference / 2, slow);
     e.reason += "; what a third grid says of the order cannot be read";
   } else {
     const double p = std::clamp(order.value, kLow, kHigh);
     const double change = std::fabs(extrapolated(coarse, fine, p) - e.value);
-    e.error = noise + std::min(change, difference / 2);
+    e.error = g.noise + std::min(change, g.difference / 2);
     e.reason += ", the order checked on a third grid (" + number_text(order.value, 2) + " observed)";
   }
 }
 
+/// Bonds as long as a layer is thick know both its sides and nothing of itself. Differences to a grid whose support
+/// radius is that long follow no order: the limit may lie anywhere between the value of the finest grid (a high order)
+/// and that of first order. The coarse grid has hardly seen the layer and stands too near: below first order lies half
+/// as much again.
+constexpr double kSupport = 2.6, kAgain = 1.5;  // spacings; times what was extrapolated
+bool spans_a_layer(const Grids& g) {
+  return g.cells >= kResolvedCells && g.thinnest.thickness / spacing_of(*g.coarse) < kSupport;
+}
+void stay_in_the_middle(const Grids& g, Estimate& e) {
+  e.value = (g.fine.factor_of_safety + e.value) / 2;
+  e.error = (kAgain - 0.5) * g.difference + g.noise;
+  e.reason = g.text() + "; bonds of the coarser one reach across the layer of '" + g.thinnest.material + "' (" +
+             number_text(g.thinnest.thickness, 3) +
+             " m), so that the order is unknown: the middle between its limits, and the estimate reaches beyond both";
+}
+
 /// What speaks against the extrapolation though the factors of safety do not.
-std::string doubt_of(const Level& coarse, const Level& fine) {
+void widen_where_in_doubt(const Grids& g, Estimate& e) {
   constexpr double kOff = 0.1, kOther = 0.3;
-  if (fine.misfit > kOff)
-    return "key lines lie up to " + number_text(fine.misfit, 2) +
-           " of a coarse cell off the cell edges, so the estimate is widened";
-  if (std::fabs(coarse.sliding_area / fine.sliding_area - 1) > kOther)
-    return "the mechanism changes (sliding area " + number_text(coarse.sliding_area, 3) + " m2, then " +
-           number_text(fine.sliding_area, 3) + " m2), so the estimate is widened";
-  return {};
+  const double area = g.fine.sliding_area, coarse_area = g.coarse->sliding_area;
+  std::string doubt;
+  if (g.fine.misfit > kOff)
+    doubt = "key lines lie up to " + number_text(g.fine.misfit, 2) + " of a coarse cell off the cell edges";
+  else if (std::fabs(coarse_area / area - 1) > kOther)
+    doubt = "the mechanism changes (sliding area " + number_text(coarse_area, 3) + " m2, then " + number_text(area, 3) +
+            " m2)";
+  else return;
+  e.error = std::max(e.error, g.difference + g.noise), e.reason += "; " + doubt + ", so the estimate is widened";
+}
+
+/// What the factors of safety of the grids say by themselves.
+Estimate reading_of(const Grids& g) {
+  if (g.coarse == nullptr) return of_one_grid(g);
+  if (g.third == nullptr && rises(g)) return of_rising_grids(g);
+  Estimate e = of_two_grids(g);
+  if (g.third != nullptr) take_third_grid(g, e);
+  if (e.status != "OK") return e;
+  if (spans_a_layer(g)) stay_in_the_middle(g, e);
+  else widen_where_in_doubt(g, e);
+  return e;
+}
+
+void refuse_unresolved_layer(const Grids& g, Estimate& e) {
+  refuse(e, g.fine, "THIN_LAYER", kNone,
+         "the layer of '" + g.thinnest.material + "' is " + number_text(g.thinnest.thickness, 3) + " m thick, only " +
+             number_text(g.cells, 2) + " spacings of the finest grid (" + number_text(kResolvedCells) +
+             " are needed), which hardly sees it: if it is weak, the factor of safety may be far too high");
+  e.discretisation = false;
+}
+
+/// The face of soil with next to no cohesion fails as a skin, as thin as the grid allows: half the spacing, half the
+/// skin, and nothing that could be extrapolated.
+void refuse_skin(const Grids& g, Estimate& e) {
+  constexpr double kThinner = 0.85;
+  if (!(g.fine.sliding_thickness < kSupport * spacing_of(g.fine))) return;
+  const std::string only = number_text(g.fine.sliding_thickness / spacing_of(g.fine), 2) + " spacings";
+  if (g.coarse == nullptr) e.reason += "; the sliding mass is only " + only + " thick";
+  else if (g.fine.sliding_thickness < kThinner * g.coarse->sliding_thickness)
+    refuse(e, g.fine, "THIN_SLIDE", std::max(e.error, kAgain * g.difference + g.noise),
+           "the sliding mass is " + number_text(g.coarse->sliding_thickness, 2) + " m thick, then " +
+               number_text(g.fine.sliding_thickness, 2) + " m, only " + only + ": a skin as thin as the grid allows");
+}
+
+/// F_e is a ratio of powers: what the books of the flow leave out may be missing from it.
+void refuse_open_books(const Grids& g, Estimate& e) {
+  constexpr double kBooks = 0.01;
+  if (!(g.fine.energy_residual > kBooks)) return;
+  refuse(e, g.fine, "ENERGY_UNBALANCED", std::max(e.error, g.fine.energy_residual * g.fine.factor_of_safety),
+         "the energy books of the flow do not close (residual " + number_text(g.fine.energy_residual, 3) + ")");
 }
 
 }  // namespace
@@ -134,79 +256,13 @@ Grid open_ladder(int n) {
 double spacing_of(const Level& level) { return std::sqrt(level.spacing_x * level.spacing_y); }
 
 Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
-  const Level& fine = levels.back();
-  const double half = half_bracket(fine), cells = thinnest.thickness / spacing_of(fine);
-  Estimate e;
-  // non-associated soil may flow in jerks: the factor strays with them
-  const double strays = fine.unsteadiness;
-  e.status = "OK", e.value = fine.factor_of_safety, e.error = half + strays;
-  e.reason = "bracketed on one grid; the discretisation error is not estimated";
-  const Level* const coarse = coarser(levels, fine);
-  double difference = 0, noise = half;
-  bool rises = false;
-  if (coarse != nullptr) {
-    e.value = extrapolated(*coarse, fine, 1);
-    difference = std::fabs(e.value - fine.factor_of_safety);
-    // the brackets enter the extrapolated value: half of each, magnified like the value itself
-    const double magnified = 1 / (spacing_of(*coarse) / spacing_of(fine) - 1);
-    noise = half * (1 + magnified) + half_bracket(*coarse) * magnified + strays;
-    e.error = noise + difference / 2;
-    e.reason = grids_text(levels.size()) + " and extrapolated at first order";
-    const Level* third = coarser(levels, *coarse);
-    for (const Level& l : levels)
-      if (third == nullptr && &l != coarse && &l != &fine) third = &l;
-    if (third != nullptr) take_third_grid(*third, *coarse, fine, noise, e);
-    // Nearly always the finer grid reads lower. Where it reads higher the coarse one has missed something, and there is
-    // no order to go by. Carried on upwards at first order, values were up to 2.4 % above rigorous upper bounds.
-    const double rise = fine.factor_of_safety - coarse->factor_of_safety;
-    rises = third == nullptr && rise > half + half_bracket(*coarse);
-    if (rises) {
-      e.value = fine.factor_of_safety, e.error = std::max(difference, rise) + noise;
-      e.reason =
-          grids_text(levels.size()) +
-          "; the finer one reads higher, which first order does not explain: its value is given, not extrapolated";
-    }
-    e.discretisation = true;
-    const std::string doubt = e.status == "OK" && !rises ? doubt_of(*coarse, fine) : std::string();
-    if (!doubt.empty()) e.error = std::max(e.error, difference + noise), e.reason += "; " + doubt;
-  }
-  // Bonds as long as a layer is thick know both its sides and nothing of itself. Differences to a grid whose support
-  // radius (2.6 spacings) is that long follow no order: the limit may lie anywhere between the value of the finest grid
-  // (a high order) and that of first order. The coarse grid has hardly seen the layer and stands too near: below first
-  // order lies half as much again.
-  constexpr double kSupport = 2.6, kAgain = 1.5;
-  if (e.status == "OK" && !rises && coarse != nullptr && cells >= kResolvedCells &&
-      thinnest.thickness / spacing_of(*coarse) < kSupport) {
-    e.value = (fine.factor_of_safety + e.value) / 2;
-    e.error = (kAgain - 0.5) * difference + noise;
-    e.reason = grids_text(levels.size()) + "; bonds of the coarser one reach across the layer of '" +
-               thinnest.material + "' (" + number_text(thinnest.thickness, 3) +
-               " m), so that the order is unknown: the middle between its limits, and the estimate reaches beyond both";
-  }
-  if (cells < kResolvedCells) {
-    refuse(e, fine, "THIN_LAYER", kNone,
-           "the layer of '" + thinnest.material + "' is " + number_text(thinnest.thickness, 3) + " m thick, only " +
-               number_text(cells, 2) + " spacings of the finest grid (" + number_text(kResolvedCells) +
-               " are needed), which hardly sees it: if it is weak, the factor of safety may be far too high");
-    e.discretisation = false;
-  }
-  // The face of soil with next to no cohesion fails as a skin, as thin as the grid allows: half the spacing, half the
-  // skin, and nothing that could be extrapolated.
-  constexpr double kThinner = 0.85;
-  if (e.status != "THIN_LAYER" && fine.sliding_thickness < kSupport * spacing_of(fine)) {
-    const std::string only = number_text(fine.sliding_thickness / spacing_of(fine), 2) + " spacings";
-    if (coarse == nullptr) e.reason += "; the sliding mass is only " + only + " thick";
-    else if (fine.sliding_thickness < kThinner * coarse->sliding_thickness)
-      refuse(e, fine, "THIN_SLIDE", std::max(e.error, kAgain * difference + noise),
-             "the sliding mass is " + number_text(coarse->sliding_thickness, 2) + " m thick, then " +
-                 number_text(fine.sliding_thickness, 2) + " m, only " + only + ": a skin as thin as the grid allows");
-  }
-  // F_e is a ratio of powers: what the books of the flow leave out may be missing from it
-  constexpr double kBooks = 0.01;
-  if (fine.energy_residual > kBooks)
-    refuse(e, fine, "ENERGY_UNBALANCED", std::max(e.error, fine.energy_residual * fine.factor_of_safety),
-           "the energy books of the flow do not close (residual " + number_text(fine.energy_residual, 3) + ")");
-  e.error = e.status == "THIN_LAYER" ? kNone : std::max(e.error, half);
+  const Grids g(levels, thinnest);
+  Estimate e = reading_of(g);
+  const bool unresolved = g.cells < kResolvedCells;
+  if (unresolved) refuse_unresolved_layer(g, e);
+  else refuse_skin(g, e);
+  refuse_open_books(g, e);
+  e.error = unresolved ? kNone : std::max(e.error, g.half);
   return e;
 }
 
