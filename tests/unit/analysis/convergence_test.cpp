@@ -198,6 +198,14 @@ TEST(Estimate, IsTheMiddleOfAllOrdersWhereTheCoarserGridMissesALayer) {
   EXPECT_EQ(estimate(levels, {"weak band", 2.6}).value, first.value);  // the support radius of the coarser grid
 }
 
+TEST(Estimate, OfTwoGridsThatRiseIsTheFinerWhateverLayersTheyMiss) {
+  const std::vector<Level> rising{level(1, 1.15), level(0.5, 1.17)};
+  const Estimate plain = estimate(rising, {}), layered = estimate(rising, {"weak band", 1.2});
+  EXPECT_EQ(layered.value, 1.17);
+  EXPECT_EQ(layered.error, plain.error);
+  EXPECT_EQ(layered.reason, plain.reason);
+}
+
 TEST(Estimate, DoesNotTrustAFlowWhoseBooksDoNotClose) {
   auto levels = exact(1, {1, 0.5});
   levels.back().energy_residual = 0.009;
