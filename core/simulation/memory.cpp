@@ -37,7 +37,7 @@ Shape shape_of(const SceneDef& scene) {
 }
 
 /// Places of a lattice: cells of soil, those and the hollows that its lines run through, walls along three sides of the
-/// box, and less than two packs of padding per line.
+/// box, and padding.
 struct Places {
   double soil, filled, walls, lines;
 };
@@ -93,7 +93,8 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
   const Shape shape = shape_of(scene);
   const Places places = places_of(scene, lattice);
   const double particles = places.soil + places.walls, blocks = particles / width + places.lines;
-  const double storage = places.filled + places.walls + 2 * (width - 1) * places.lines;
+  constexpr double kPadding = 1.5;  // packs but one lane at the end of a line, in the mean
+  const double storage = places.filled + places.walls + kPadding * (width - 1) * places.lines + 2 * width;
   const double offsets = forward_offsets(scene, lattice), packs = blocks * (shape.bonded ? offsets : 1);
   // the state, the motion for the monitors, the state of the energy audit
   constexpr double kCopies = 2, kMotions = 3;
