@@ -80,7 +80,7 @@ struct Grids {
   const ThinLayer& thinnest;
   Real cells;           ///< thickness of the thinnest layer, spacings of the finest grid
   double half, strays;  ///< half the bracket of the finest grid; non-associated soil may flow in jerks, the factor too
-  double extrapolated = kNone, difference = 0;  ///< at first order; from the value of the finest grid
+  double first_order = kNone, difference = 0;  ///< extrapolated; how far from the value of the finest grid
   /// What the brackets leave open: half of each, magnified as they enter the extrapolated value.
   double noise;
 
@@ -97,8 +97,8 @@ struct Grids {
     third = coarser(levels, *coarse);
     for (const Level& l : levels)
       if (third == nullptr && &l != coarse && &l != &fine) third = &l;
-    extrapolated = vbgpd::extrapolated(*coarse, fine, 1);
-    difference = std::fabs(extrapolated - fine.factor_of_safety);
+    first_order = extrapolated(*coarse, fine, 1);
+    difference = std::fabs(first_order - fine.factor_of_safety);
     const double magnified = 1 / (spacing_of(*coarse) / spacing_of(fine) - 1);
     noise = half * (1 + magnified) + half_bracket(*coarse) * magnified + strays;
   }
@@ -114,7 +114,7 @@ Estimate of_one_grid(const Grids& g) {
 
 Estimate of_two_grids(const Grids& g) {
   Estimate e;
-  e.status = "OK", e.value = g.extrapolated, e.error = g.noise + g.difference / 2, e.discretisation = true;
+  e.status = "OK", e.value = g.first_order, e.error = g.noise + g.difference / 2, e.discretisation = true;
   e.reason = g.text() + " and extrapolated at first order";
   return e;
 }
