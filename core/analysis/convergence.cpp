@@ -78,11 +78,13 @@ struct Grids {
   const Level* coarse = nullptr;
   const Level* third = nullptr;
   const ThinLayer& thinnest;
-  Real cells;           ///< thickness of the thinnest layer, spacings of the finest grid
-  double half, strays;  ///< half the bracket of the finest grid; non-associated soil may flow in jerks, the factor too
+  Real cells;                                  ///< thickness of the thinnest layer, spacings of the finest grid
+  double half;                                 ///< half the bracket of the finest grid
   double first_order = kNone, difference = 0;  ///< extrapolated; how far from the value of the finest grid
-  /// What the brackets leave open: half of each, magnified as they enter the extrapolated value.
+  /// What the brackets leave open: half of each, magnified as they enter the extrapolated value. Non-associated soil
+  /// may flow in jerks: the factor strays with them.
   double noise;
+  double rise = 0;  ///< of the finest grid above the coarse one
 
   Grids(std::span<const Level> levels, const ThinLayer& layer)
       : count(levels.size()),
@@ -91,7 +93,6 @@ struct Grids {
         thinnest(layer),
         cells(layer.thickness / spacing_of(fine)),
         half(half_bracket(fine)),
-        strays(fine.unsteadiness),
         noise(half) {
     if (coarse == nullptr) return;
     third = coarser(levels, *coarse);
@@ -100,14 +101,15 @@ struct Grids {
     first_order = extrapolated(*coarse, fine, 1);
     difference = std::fabs(first_order - fine.factor_of_safety);
     const double magnified = 1 / (spacing_of(*coarse) / spacing_of(fine) - 1);
-    noise = half * (1 + magnified) + half_bracket(*coarse) * magnified + strays;
+    noise = half * (1 + magnified) + half_bracket(*coarse) * magnified + fine.unsteadiness;
+    rise = fine.factor_of_safety - coarse->factor_of_safety;
   }
   std::string text() const { return "bracketed on " + std::to_string(count) + " grids"; }
 };
 
 Estimate of_one_grid(const Grids& g) {
   Estimate e;
-  e.status = "OK", e.value = g.fine.factor_of_safety, e.error = g.half + g.strays;
+  e.status = "OK", e.value = g.fine.factor_of_safety, e.error = g.half + g.fine.unsteadiness;
   e.reason = "bracketed on one grid; the discretisation error is not estimated";
   return e;
 }
@@ -121,14 +123,10 @@ Estimate of_two_grids(const Grids& g) {
 
 /// Nearly always the finer grid reads lower. Where it reads higher the coarse one has missed something, and there is no
 /// order to go by. Carried on upwards at first order, values were up to 2.4 % above rigorous upper bounds.
-bool rises(const Grids& g) {
-  return g.fine.factor_of_safety - g.coarse->factor_of_safety > g.half + half_bracket(*g.coarse);
-}
+bool rises(const Grids& g) { return g.rise > g.half + half_bracket(*g.coarse); }
 Estimate of_rising_grids(const Grids& g) {
-  Estimate e;
-  const double rise = g.fine.factor_of_safety - g.coarse->factor_of_safety;
-  e.status = "OK", e.value = g.fine.factor_of_safety, e.discretisation = true;
-  e.error = std::max(g.difference, rise) + g.noise;
+  Estimate e = of_two_grids(g);
+  e.value = g.fine.factor_of_safety, e.error = std::max(g.difference, g.rise) + g.noise;
   e.reason = g.text() +
              "; the finer one reads higher, which first order does not explain: its value is given, not extrapolated";
   return e;
@@ -165,14 +163,14 @@ void take_third_grid(const Grids& g, Estimate& e) {
   }
 }
 
+constexpr double kSupport = 2.6;  // radius of the support, spacings
+constexpr double kAgain = 1.5;    // times what was extrapolated, where the coarse grid stands too near
+
 /// Bonds as long as a layer is thick know both its sides and nothing of itself. Differences to a grid whose support
 /// radius is that long follow no order: the limit may lie anywhere between the value of the finest grid (a high order)
 /// and that of first order. The coarse grid has hardly seen the layer and stands too near: below first order lies half
 /// as much again.
-constexpr double kSupport = 2.6, kAgain = 1.5;  // spacings; times what was extrapolated
-bool spans_a_layer(const Grids& g) {
-  return g.cells >= kResolvedCells && g.thinnest.thickness / spacing_of(*g.coarse) < kSupport;
-}
+bool spans_a_layer(const Grids& g) { return g.thinnest.thickness / spacing_of(*g.coarse) < kSupport; }
 void stay_in_the_middle(const Grids& g, Estimate& e) {
   e.value = (g.fine.factor_of_safety + e.value) / 2;
   e.error = (kAgain - 0.5) * g.difference + g.noise;

@@ -44,7 +44,7 @@ class Array {
     if (n == 0) return;
     const std::size_t shift = n < kLong ? 0 : 64 * static_cast<std::size_t>(5 * (stagger % 13));
     const std::size_t bytes = n * sizeof(double) + shift;
-    storage_ = static_cast<std::byte*>(heap.take(bytes, kAlignment));
+    storage_ = static_cast<std::byte*>(heap.take(bytes));
     heap_ = heap, bytes_ = bytes, shift_ = shift, size_ = n;
   }
   bool present() const { return size_ != 0; }
@@ -59,10 +59,9 @@ class Array {
   }
 
  private:
-  static constexpr std::size_t kAlignment = 64;
   static constexpr std::size_t kLong = 8192;  // shorter ones share pages and are where the heap happened to put them
   void release() noexcept {
-    if (storage_ != nullptr) heap_.give_back(storage_, bytes_, kAlignment);
+    if (storage_ != nullptr) heap_.give_back(storage_, bytes_);
     storage_ = nullptr, size_ = 0;
   }
   void exchange(Array& other) noexcept {

@@ -12,22 +12,23 @@ namespace vbgpd {
 
 /// Held by value by everything that has memory of it: nobody needs to outlive anybody.
 struct Heap {
+  static constexpr std::size_t kAlignment = 64;  ///< of every block: a cache line, as packs are read
   void* (*alloc)(void* user, std::int64_t bytes, std::int64_t alignment) = nullptr;  ///< null: operator new
   void (*free)(void* user, void* p, std::int64_t bytes, std::int64_t alignment) = nullptr;
   void* user = nullptr;
 
-  void* take(std::size_t bytes, std::size_t alignment) const {
-    if (alloc == nullptr) return ::operator new (bytes, std::align_val_t{alignment});
-    void* const p = alloc(user, static_cast<std::int64_t>(bytes), static_cast<std::int64_t>(alignment));
+  void* take(std::size_t bytes) const {
+    if (alloc == nullptr) return ::operator new (bytes, std::align_val_t{kAlignment});
+    void* const p = alloc(user, static_cast<std::int64_t>(bytes), kAlignment);
     if (p == nullptr) throw std::bad_alloc();
-    if (reinterpret_cast<std::uintptr_t>(p) % alignment == 0) return p;
-    give_back(p, bytes, alignment);
+    if (reinterpret_cast<std::uintptr_t>(p) % kAlignment == 0) return p;
+    give_back(p, bytes);
     throw Error(Status::kArgument, "the alloc of the context returned memory that is not aligned to the " +
-                                       std::to_string(alignment) + " bytes it was asked for");
+                                       std::to_string(kAlignment) + " bytes it was asked for");
   }
-  void give_back(void* p, std::size_t bytes, std::size_t alignment) const noexcept {
-    if (alloc == nullptr) ::operator delete (p, std::align_val_t{alignment});
-    else free(user, p, static_cast<std::int64_t>(bytes), static_cast<std::int64_t>(alignment));
+  void give_back(void* p, std::size_t bytes) const noexcept {
+    if (alloc == nullptr) ::operator delete (p, std::align_val_t{kAlignment});
+    else free(user, p, static_cast<std::int64_t>(bytes), kAlignment);
   }
   bool operator==(const Heap&) const = default;
 };
@@ -39,15 +40,14 @@ struct HeapAllocator {
   using propagate_on_container_copy_assignment = std::true_type;
   using propagate_on_container_move_assignment = std::true_type;
   using propagate_on_container_swap = std::true_type;
-  static constexpr std::size_t kAlignment = 64;  // of a cache line, as packs are read
 
   Heap heap;
   HeapAllocator() = default;
   explicit HeapAllocator(const Heap& of) : heap(of) {}
   template <class U>
   HeapAllocator(const HeapAllocator<U>& other) : heap(other.heap) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(heap.take(n * sizeof(T), kAlignment)); }
-  void deallocate(T* p, std::size_t n) noexcept { heap.give_back(p, n * sizeof(T), kAlignment); }
+  T* allocate(std::size_t n) { return static_cast<T*>(heap.take(n * sizeof(T))); }
+  void deallocate(T* p, std::size_t n) noexcept { heap.give_back(p, n * sizeof(T)); }
   bool operator==(const HeapAllocator&) const = default;
 };
 
