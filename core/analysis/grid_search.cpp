@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "analysis/stiffness_contrast.h"
 #include "scene/wording.h"
@@ -229,7 +230,7 @@ Slices GridSearch::overshoot(double& factor) {
     const bool steady = estimates.size() > windows &&
                         std::fabs(estimate - estimates[estimates.size() - 1 - windows]) < kSteady * estimate;
     if (level > kLevel && estimate < factor && steady) {
-      flow_ = estimate;
+      flow_ = estimate, fresh_flow_ = std::accumulate(estimates.end() - windows, estimates.end(), 0.0) / windows;
       co_return;
     }
     if (looked >= look) {
@@ -245,7 +246,7 @@ Slices GridSearch::overshoot(double& factor) {
       // F_e still creeping up: soil that hardens slowly (undrained) is read at the level of any other
       if (falls >= 2 || level > 2 * kLevel) {
         if (best_state == nullptr || !(best < factor)) co_return;  // the careful way decides
-        flow_ = best;
+        flow_ = fresh_flow_ = best;
         simulation_.restore(*best_state);
         co_return;
       }
@@ -292,7 +293,7 @@ Slices GridSearch::fast_bracket() {
   double low = std::max(options_.srf_min, notched(flow_));
   // lower end: the same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further
   // down
-  constexpr double kWornOut = 0.04;
+  constexpr double kWornOut = 0.04, kHardened = 0.003;
   const double read = flow_, first_low = low;
   double first_flow = kNone;
   patience_ = kLong;
@@ -328,23 +329,28 @@ Slices GridSearch::fast_bracket() {
     if (verdict_ == Verdict::kUndecided) aside *= 2;
   }
   patience_ = TrialRules{}.patience;
-  // between a standing and a failing factor further apart than asked: halve, from the last state at rest, or from how
-  // far an undecided one got
+  // between a standing and a failing factor further apart than asked: halve. A flow below what it would balance at is
+  // soon arrested (one that has not hardened on its way), and soil at rest soon flows above that; the other way round
+  // takes long. From how far an undecided one got, in any case
   while (!done_ && !closed()) {
-    if (verdict_ != Verdict::kUndecided) simulation_.restore(*standing_);
-    for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
+    const double factor = middle();
+    const bool arrest = failing_ && factor < flow_ && flow_ < (1 + kHardened) * read;
+    if (verdict_ != Verdict::kUndecided) simulation_.restore(arrest ? *failing_ : *standing_);
+    for (Slices s = try_factor(factor, Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
   constexpr double kWorn = 0.003, kStray = 0.03;
+  constexpr double kOverread = 0.003;  // of a brisk flow, at most: F_e falls by that when it slows down
+  const bool softened = softened_ && failing_flow_ < (1 - kOverread) * fresh_flow_ - options_.tolerance;
   const bool worn = failing_flow_ < (1 - kWorn) * first_flow;
   const bool strayed = stable_ > (1 + kStray) * read;
-  if (!done_ && (softened_ || worn || strayed))
+  if (!done_ && (softened || worn || strayed))
     for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
 }
 
-/// Non-associated soil may soften while it flows (unbalanced force that grows is a sign, F_e that falls while the flow
-/// is followed down another): then a failure reached through a flow holds for softened soil only, and the upper end is
-/// shown again from the untouched gravity state. So is that of a bracket far above where the flow was read: soil
-/// that dilates changes the longer it flows.
+/// Non-associated soil may soften while it flows (unbalanced force that grows is a sign where F_e has fallen since the
+/// flow was fresh, F_e that falls while the flow is followed down another): then a failure reached through a flow holds
+/// for softened soil only, and the upper end is shown again from the untouched gravity state. So is that of a bracket
+/// far above where the flow was read: soil that dilates changes the longer it flows.
 Slices GridSearch::upper_end_from_gravity() {
   const double notch = kNotch * options_.tolerance;
   const double through_flow = failed_;

@@ -64,6 +64,7 @@ class GridSearch {
   std::int64_t response_ = 0;
   double elastic_displacement_ = 0, stable_ = kNone, failed_ = kNone, flow_ = kNone, displacement_level_ = kNone;
   double unsteadiness_ = 0;
+  double fresh_flow_ = kNone;    // F_e over the look at which it was first read
   double failing_flow_ = kNone;  // F_e at the failed end
   double runaway_ = kNone;       // lowest factor at which displacements ran away
   Verdict verdict_ = Verdict::kUndecided;

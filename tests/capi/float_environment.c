@@ -74,7 +74,7 @@ static void failing_calls(void) {
 
 static void callback_sees_the_hosts(unsigned control) {
   vbgpd_context* context = make_context();
-  vbgpd_model* model = make_model(context, 0.5);
+  vbgpd_model* model = make_model(context, 0.15);
   vbgpd_job* job = NULL;
   seen s = {0, 0, 0};
   CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
