@@ -152,23 +152,25 @@ inline double bond_pass(const StepData& shared, const Controls& shared_controls,
   const int end = chunk.packs_end[algorithm];
   BondWork<Sites> work[kMost];
   for (int p = chunk.packs_begin[algorithm]; p < end;) {
-    // a batch: bonds of one block, sharing their first end, and of one pair of materials
-    const BondPack* const batch = d.packs + p;
-    int count = 1;
-    while (p + count < end && batch[count].i == batch->i && batch[count].pair == batch->pair && count < kMost) ++count;
-    const LawConstants constants = controls.constants[batch->pair];
+    const std::int32_t pair = d.packs[p].pair;  // of materials: most sections have one
+    const LawConstants constants = controls.constants[pair];
     const double compliance = 0.5 / constants.shear_modulus;
-    Law<Pack> law(constants);
+    const Law<Pack> law(constants);
     const bool sourced = d.volume_source != nullptr && law.b > 0;  // isochoric flow is no source
-    const BondEnd a = bond_end(d, batch->i);
-    for (int n = 0; n < count; ++n) trial_stress(d, a, batch[n], law, work[n]);
-    for (int n = 0; n < count; ++n) {
-      Law<Pack> own = law;
-      if (d.extra_cohesion != nullptr) add_cohesion(own, d, controls, constants, batch->i, batch[n].j);
-      return_stress<kLedger>(d, batch[n], own, compliance, work[n], plastic_work);
+    while (p < end && d.packs[p].pair == pair) {
+      const BondPack* const batch = d.packs + p;  // bonds of one block, sharing their first end
+      int count = 1;
+      while (p + count < end && batch[count].i == batch->i && batch[count].pair == pair && count < kMost) ++count;
+      const BondEnd a = bond_end(d, batch->i);
+      for (int n = 0; n < count; ++n) trial_stress(d, a, batch[n], law, work[n]);
+      for (int n = 0; n < count; ++n) {
+        Law<Pack> own = law;
+        if (d.extra_cohesion != nullptr) add_cohesion(own, d, controls, constants, batch->i, batch[n].j);
+        return_stress<kLedger>(d, batch[n], own, compliance, work[n], plastic_work);
+      }
+      add_loads(d, batch->i, batch, work, count, sourced, constants.bulk_modulus);
+      p += count;
     }
-    add_loads(d, batch->i, batch, work, count, sourced, constants.bulk_modulus);
-    p += count;
   }
   return plastic_work;
 }
