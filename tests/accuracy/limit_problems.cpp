@@ -1,26 +1,16 @@
 // Exact collapse loads, as factors of safety whose true value is 1: each on one grid and extrapolated over two.
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
-#include "exchange/scene_buffer.h"
-#include "exchange/scene_text.h"
+#include "../sample_scene.h"
 #include "problem.h"
 
 namespace vbgpd::accuracy {
 
 namespace {
 
-SceneDef read_scene(const std::string& name) {
-  std::ifstream file(std::string(VBGPD_SCENES_DIR) + "/" + name + ".json");
-  std::stringstream text;
-  text << file.rdbuf();
-  return scene_from_flatbuffer(scene_text_to_flatbuffer(text.str(), name));
-}
-
 Outcome factor_of_safety(const char* name, int levels, const SceneDef& choice, const CompileOptions& options) {
-  SceneDef s = read_scene(name);
+  SceneDef s = sample_scene(name);
   s.bond = choice.bond, s.kernel = choice.kernel, s.spacing = choice.spacing;
   return factor_of_safety_error(*Simulation::compile(s, options), levels);
 }

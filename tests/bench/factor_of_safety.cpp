@@ -6,7 +6,7 @@ namespace vbgpd::bench {
 namespace {
 
 void factor_of_safety(benchmark::State& state, const char* law, int levels) {
-  SceneDef s = scene("gl_1");
+  SceneDef s = sample_scene("gl_1");
   s.materials[0].law = law;
   s.spacing = 10.0 / static_cast<double>(state.range(0));
   std::unique_ptr<Simulation> simulation;

@@ -27,7 +27,7 @@ void in_calls(benchmark::State& state, Simulation& simulation) {
 std::unique_ptr<LatticeSimulation> failing_slope() {
   CompileOptions options;
   options.threads = 1;
-  auto simulation = std::make_unique<LatticeSimulation>(scene("gl_1"), options, best_kernels());
+  auto simulation = std::make_unique<LatticeSimulation>(sample_scene("gl_1"), options, best_kernels());
   simulation->set("strength_reduction_factor", 1.5);
   return simulation;
 }

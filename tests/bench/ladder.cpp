@@ -48,7 +48,7 @@ const std::vector<Rung>& rungs() {
 }
 
 void ladder(benchmark::State& state, std::size_t rung) {
-  SceneDef s = scene("gl_1");
+  SceneDef s = sample_scene("gl_1");
   for (std::size_t k = 0; k <= rung; ++k) rungs()[k].add(s);
   s.spacing = spacing_for(s, state.range(0));
   step_cost(state, s, 1.3);

@@ -5,23 +5,13 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 #include <string>
 
-#include "exchange/scene_buffer.h"
-#include "exchange/scene_text.h"
+#include "../sample_scene.h"
 #include "simulation/simulation.h"
 #include "step/kernels.h"
 
 namespace vbgpd::bench {
-
-inline SceneDef scene(const std::string& name) {
-  std::ifstream file(std::string(VBGPD_SCENES_DIR) + "/" + name + ".json");
-  std::stringstream text;
-  text << file.rdbuf();
-  return scene_from_flatbuffer(scene_text_to_flatbuffer(text.str(), name));
-}
 
 /// The spacing that gives about so many particles of soil.
 inline double spacing_for(const SceneDef& s, std::int64_t particles) {

@@ -7,7 +7,7 @@ namespace {
 
 /// Griffiths & Lane's example 1 well above its factor of safety, most bonds plastic where steps suffice.
 void law(benchmark::State& state, const char* bond, const char* name) {
-  SceneDef s = scene("gl_1");
+  SceneDef s = sample_scene("gl_1");
   s.bond = bond;
   s.materials[0].law = name;
   if (s.materials[0].law == "undrained") s.materials[0].friction_angle = 0, s.materials[0].cohesion = 30e3;
@@ -28,7 +28,7 @@ VBGPD_LAW(none, mohr_coulomb);
 
 /// Particles off the lattice, each coordinate by up to 0.3 spacings.
 void off_lattice(benchmark::State& state, const char* bond, const char* name) {
-  SceneDef s = scene("gl_1");
+  SceneDef s = sample_scene("gl_1");
   s.bond = bond, s.materials[0].law = name, s.jitter = 0.3;
   s.spacing = spacing_for(s, state.range(0));
   step_cost(state, s, 1.5);
@@ -49,7 +49,7 @@ BENCHMARK_CAPTURE(law, workers, "virtual_bond", "drucker_prager")
     ->Unit(benchmark::kMillisecond);
 
 /// A scene file at its own spacing: several materials, loads, foundations.
-void named(benchmark::State& state, const char* name) { step_cost(state, scene(name), 1.2); }
+void named(benchmark::State& state, const char* name) { step_cost(state, sample_scene(name), 1.2); }
 BENCHMARK_CAPTURE(named, vertical_cut, "vertical_cut")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(named, gl_1, "gl_1")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(named, gl_3_r0_6, "gl_3_r0_6")->Unit(benchmark::kMillisecond);

@@ -2,23 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "analysis/job.h"
 #include "analysis/trial.h"
-#include "exchange/scene_buffer.h"
-#include "exchange/scene_text.h"
+#include "sample_scene.h"
 
 namespace vbgpd {
 namespace {
 
 SceneDef vertical_cut(double spacing) {
-  const std::string path = std::string(VBGPD_SCENES_DIR) + "/vertical_cut.json";
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  SceneDef s = scene_from_flatbuffer(scene_text_to_flatbuffer(text.str(), path));
+  SceneDef s = sample_scene("vertical_cut");
   s.spacing = spacing;
   return s;
 }

@@ -2,22 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "analysis/job.h"
-#include "exchange/scene_buffer.h"
-#include "exchange/scene_text.h"
+#include "sample_scene.h"
 
 namespace vbgpd {
 namespace {
 
 JobResult solved(const char* name, double spacing, int levels) {
-  const std::string path = std::string(VBGPD_SCENES_DIR) + "/" + name + ".json";
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  SceneDef scene = scene_from_flatbuffer(scene_text_to_flatbuffer(text.str(), path));
+  SceneDef scene = sample_scene(name);
   scene.spacing *= spacing;
   const auto simulation = Simulation::compile(scene, {});
   const auto job = make_strength_reduction(*simulation);

@@ -2,23 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "analysis/job.h"
-#include "exchange/scene_buffer.h"
-#include "exchange/scene_text.h"
+#include "sample_scene.h"
 
 namespace vbgpd {
 namespace {
-
-SceneDef scene(const std::string& name) {
-  const std::string path = std::string(VBGPD_SCENES_DIR) + "/" + name + ".json";
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return scene_from_flatbuffer(scene_text_to_flatbuffer(text.str(), path));
-}
 
 JobResult solve(const SceneDef& s, int levels, int threads = 1) {
   CompileOptions options;
@@ -31,28 +20,28 @@ JobResult solve(const SceneDef& s, int levels, int threads = 1) {
 }
 
 TEST(VerticalCut, ExtrapolatesToTheExactStabilityNumberWithinOnePercent) {
-  const JobResult r = solve(scene("vertical_cut"), 2);  // gamma H / c = 3.776: exact factor of safety 1
+  const JobResult r = solve(sample_scene("vertical_cut"), 2);  // gamma H / c = 3.776: exact factor of safety 1
   EXPECT_EQ(r.status, "OK");
   EXPECT_NEAR(r.factor_of_safety, 1, 0.01);
   EXPECT_LE(std::fabs(r.factor_of_safety - 1), r.error_estimate);
 }
 
 TEST(PrandtlStrip, ExtrapolatesToTwoPlusPiWithinOnePercent) {
-  const JobResult r = solve(scene("prandtl_strip"), 2);  // q = (2 + pi) c: exact factor of safety 1
+  const JobResult r = solve(sample_scene("prandtl_strip"), 2);  // q = (2 + pi) c: exact factor of safety 1
   EXPECT_EQ(r.status, "OK");
   EXPECT_NEAR(r.factor_of_safety, 1, 0.01);
   EXPECT_LE(std::fabs(r.factor_of_safety - 1), r.error_estimate);
 }
 
 TEST(GriffithsLane, ExampleOneLiesWithinOnePercentOfThePublishedSpan) {
-  const JobResult r = solve(scene("gl_1"), 2);
+  const JobResult r = solve(sample_scene("gl_1"), 2);
   EXPECT_GE(r.factor_of_safety, 1.35 * 0.99);  // strength reduction 1.35 to 1.40, Bishop & Morgenstern 1.38
   EXPECT_LE(r.factor_of_safety, 1.40 * 1.01);
 }
 
 /// Limit analysis holds for associated flow. High above FS such a flow runs away, and the search looks further below.
 TEST(DawsonSlope, WithAssociatedFlowHasTheFactorOfSafetyOfLimitAnalysis) {
-  SceneDef s = scene("dawson_45");
+  SceneDef s = sample_scene("dawson_45");
   for (MaterialDef& m : s.materials) m.dilatancy_angle = m.friction_angle;
   const JobResult r = solve(s, 2);
   EXPECT_EQ(r.status, "OK");
@@ -61,7 +50,7 @@ TEST(DawsonSlope, WithAssociatedFlowHasTheFactorOfSafetyOfLimitAnalysis) {
 }
 
 SceneDef small_slope() {
-  SceneDef s = scene("gl_1");
+  SceneDef s = sample_scene("gl_1");
   s.spacing = 1;
   return s;
 }
@@ -194,7 +183,7 @@ TEST(FactorOfSafety, ComesWithTheEvidenceOfBothEnds) {
 }
 
 TEST(FactorOfSafety, AgreesBetweenTheFastAndTheCarefulSearch) {
-  SceneDef s = scene("gl_1");
+  SceneDef s = sample_scene("gl_1");
   const auto simulation = Simulation::compile(s, {});
   const auto careful = make_strength_reduction(*simulation);
   careful->set("levels", 1), careful->set("careful", 1);
@@ -204,7 +193,7 @@ TEST(FactorOfSafety, AgreesBetweenTheFastAndTheCarefulSearch) {
 }
 
 TEST(SlipSurface, OfExampleOneRunsFromCrestToToe) {
-  const JobResult r = solve(scene("gl_1"), 1);
+  const JobResult r = solve(sample_scene("gl_1"), 1);
   ASSERT_GE(r.slip_surface.size(), 10u);
   EXPECT_NEAR(r.slip_surface.front().y, 10, 1e-9);  // enters on the crest
   EXPECT_GT(r.slip_surface.front().x, 6);           // critical Bishop circle: 9.4 (own search of the benchmark)
@@ -216,7 +205,7 @@ TEST(SlipSurface, OfExampleOneRunsFromCrestToToe) {
 }
 
 TEST(SlipSurface, MeetsTheGroundWithoutAHook) {
-  const JobResult r = solve(scene("gl_1"), 1);
+  const JobResult r = solve(sample_scene("gl_1"), 1);
   const auto piece = [&](std::size_t k) {
     return Vec2(r.slip_surface[k + 1].x - r.slip_surface[k].x, r.slip_surface[k + 1].y - r.slip_surface[k].y);
   };
