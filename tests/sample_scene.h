@@ -11,7 +11,8 @@
 namespace vbgpd {
 
 inline SceneDef sample_scene(const std::string& name) {
-  const std::string path = std::string(VBGPD_SCENES_DIR) + "/" + name + ".json";
+  std::string path = VBGPD_SCENES_DIR;
+  path.append("/").append(name).append(".json");
   std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();

@@ -124,7 +124,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
     }
     displacement_level_ = trial.displacement_level;
     constexpr double kGathers = 0.5;
-    softened_ = trial.unbalanced_force_slope > kGathers;
+    gathers_force_ = trial.unbalanced_force_slope > kGathers;
   }
   if (trial.verdict == Verdict::kUndecided && !run.diverged()) set_aside(trial);
   if (runaway_ - stable_ <= options_.tolerance * (1 + 1e-9) && !(failed_ <= runaway_))
@@ -340,7 +340,7 @@ Slices GridSearch::fast_bracket() {
   }
   constexpr double kWorn = 0.003, kStray = 0.03;
   constexpr double kOverread = 0.003;  // of a brisk flow, at most: F_e falls by that when it slows down
-  const bool softened = softened_ && failing_flow_ < (1 - kOverread) * fresh_flow_ - options_.tolerance;
+  const bool softened = gathers_force_ && failing_flow_ < (1 - kOverread) * fresh_flow_ - options_.tolerance;
   const bool worn = failing_flow_ < (1 - kWorn) * first_flow;
   const bool strayed = stable_ > (1 + kStray) * read;
   if (!done_ && (softened || worn || strayed))

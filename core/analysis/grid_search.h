@@ -74,7 +74,7 @@ class GridSearch {
   int patience_ = TrialRules{}.patience;
   double undecided_ = 0;  // trials without a verdict, by the share of the longest one they took
   int runaways_ = 0;
-  bool softened_ = false;  // the last failed trial gathered force on its way
+  bool gathers_force_ = false;  // the last failed trial did on its way
   bool done_ = false;
 };
 

@@ -37,7 +37,7 @@ inline std::unique_ptr<FlowSimulation> runout(const SceneDef& scene, int threads
 }
 
 /// Gravity without strengths, then at rest.
-inline void load_by_gravity(FlowSimulation& s, double equilibrium = 1e-5) {
+inline void load_by_gravity(Simulation& s, double equilibrium = 1e-5) {
   RelaxOptions elastic;
   elastic.elastic = true;
   for (int k = 0; k < 400; ++k)

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "exchange/scene_buffer.h"
-#include "exchange/scene_text.h"
+#include "sample_scene.h"
 #include "scene/validate.h"
 #include "scene_fixture.h"
 
@@ -13,18 +12,14 @@ namespace {
 
 const std::filesystem::path kFolder = VBGPD_SCENES_DIR;
 
-SceneDef read_scene(const std::string& name) {
-  return scene_from_flatbuffer(scene_text_to_flatbuffer(file_text(kFolder / (name + ".json")), name));
-}
-
 class SampleScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(SampleScene, HasNoErrorsAndNoWarnings) {
-  for (const Issue& issue : validate(read_scene(GetParam()))) ADD_FAILURE() << issue.text;
+  for (const Issue& issue : validate(sample_scene(GetParam()))) ADD_FAILURE() << issue.text;
 }
 
 TEST_P(SampleScene, CarriesTitleSourceAndPublishedValues) {
-  const SceneDef scene = read_scene(GetParam());
+  const SceneDef scene = sample_scene(GetParam());
   EXPECT_FALSE(scene.name.empty());
   EXPECT_FALSE(scene.source.empty());
   EXPECT_FALSE(scene.published.empty());
@@ -47,19 +42,19 @@ INSTANTIATE_TEST_SUITE_P(Folder, SampleScene, testing::ValuesIn(scene_names(kFol
                          [](const auto& name) { return name.param; });
 
 TEST(SampleScenes, PushTheSeismicSlopeTowardsItsToe) {
-  const SceneDef scene = read_scene("acads_1d");  // crest on the right
+  const SceneDef scene = sample_scene("acads_1d");  // crest on the right
   EXPECT_EQ(scene.kh, -0.15);
 }
 
 TEST(SampleScenes, LoadThePrandtlStripWithTheExactBearingCapacity) {
-  const SceneDef scene = read_scene("prandtl_strip");
+  const SceneDef scene = sample_scene("prandtl_strip");
   EXPECT_NEAR(scene.loads.at(0).pressure / scene.materials.at(0).cohesion, 2 + std::acos(-1), 1e-6);
   EXPECT_NEAR(scene.loads.at(0).x0 + scene.loads.at(0).x1, scene.exterior.at(1).x,
               1e-12);  // in the middle of the block
 }
 
 TEST(SampleScenes, GiveTheVerticalCutItsStabilityNumber) {
-  const SceneDef scene = read_scene("vertical_cut");
+  const SceneDef scene = sample_scene("vertical_cut");
   const MaterialDef& clay = scene.materials.at(0);
   EXPECT_NEAR(clay.unit_weight * 10 / clay.cohesion, 3.776, 1e-6);
 }

@@ -5,19 +5,10 @@
 
 #include "analysis/job.h"
 #include "sample_scene.h"
+#include "validation/solve.h"
 
 namespace vbgpd {
 namespace {
-
-JobResult solve(const SceneDef& s, int levels, int threads = 1) {
-  CompileOptions options;
-  options.threads = threads;
-  const auto simulation = Simulation::compile(s, options);
-  const auto job = make_strength_reduction(*simulation);
-  job->set("levels", levels);
-  job->run(0, {});
-  return job->result();
-}
 
 TEST(VerticalCut, ExtrapolatesToTheExactStabilityNumberWithinOnePercent) {
   const JobResult r = solve(sample_scene("vertical_cut"), 2);  // gamma H / c = 3.776: exact factor of safety 1
