@@ -51,4 +51,8 @@ struct Flow {
 std::optional<Flow> flow_in(std::span<const Window> history, const Look& look, const TrialRules& rules,
                             std::int64_t response_steps, double elastic_displacement);
 
+/// The power ratio by the time the slope has moved as far again as in this history, rising with the logarithm of the
+/// displacement as it did over the later half of it.
+std::optional<double> power_ratio_ahead(std::span<const Window> history);
+
 }  // namespace vbgpd

@@ -18,6 +18,8 @@ constexpr double kFall = 0.01;  // F_e is past its peak when it falls by more th
 
 constexpr int kBriefly = 4;  // response times a trial may take where another factor beside it would do
 constexpr int kLong = 14;    // ... where one further away would do
+constexpr int kCareful =
+    100;  // ... of a plain bisection: untouched soil a little above or below its factor of safety takes that
 
 /// The masses of the relaxation follow the stiffness: a mechanism in the stiffest soil gathers speed so many times more
 /// slowly than one in the softest, which the elastic response does not show.
@@ -149,8 +151,8 @@ void GridSearch::set_aside(const Trial& trial) {
   reason_ = "at F = " + number_text(trial.strength_reduction_factor) +
             " neither equilibrium nor steady failure showed within " + std::to_string(trial.steps) +
             " steps (unbalanced force ratio " + number_text(trial.unbalanced_force_ratio) + ")";
-  patience_ = std::min(2 * patience_, TrialRules{}.patience);
-  const std::int64_t longest = options_.step_limit > 0 ? options_.step_limit : TrialRules{}.patience * response_;
+  patience_ = std::min(2 * patience_, longest_);
+  const std::int64_t longest = options_.step_limit > 0 ? options_.step_limit : longest_ * response_;
   undecided_ += std::max(0.5, static_cast<double>(trial.steps) / static_cast<double>(longest));
   if (undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
 }
@@ -302,7 +304,7 @@ Slices GridSearch::fast_bracket() {
     if (done_ || verdict_ == Verdict::kStable) break;
     // soil that the flow has worn out fails below what untouched soil bears: from there on the careful way
     if (verdict_ == Verdict::kFailed && (low <= options_.srf_min || flow_ < (1 - kWornOut) * first_flow)) {
-      failed_ = flow_ = kNone, failing_ = nullptr, patience_ = TrialRules{}.patience;
+      failed_ = flow_ = kNone, failing_ = nullptr, patience_ = longest_;
       options_.guess = first_low;
       for (Slices s = bisection(); s.next();) co_yield Pause{};
       co_return;
@@ -328,7 +330,7 @@ Slices GridSearch::fast_bracket() {
     high += verdict_ == Verdict::kStable ? step *= 2 : aside;
     if (verdict_ == Verdict::kUndecided) aside *= 2;
   }
-  patience_ = TrialRules{}.patience;
+  patience_ = longest_;
   // between a standing and a failing factor further apart than asked: halve. A flow below what it would balance at is
   // soon arrested (one that has not hardened on its way), and soil at rest soon flows above that; the other way round
   // takes long. From how far an undecided one got, in any case
@@ -357,7 +359,14 @@ Slices GridSearch::upper_end_from_gravity() {
   const std::shared_ptr<SavedState> flow = failing_;
   double factor = failed_;
   failed_ = kNone;
-  for (double step = 2 * notch; !done_ && std::isnan(failed_) && !(runaway_ <= factor); step *= 2) {
+  constexpr double kUnclear =
+      2;  // so many undecided trials, and gravity alone cannot tell: what the flow showed stands
+  const double undecided = undecided_;
+  const auto flow_holds = [&] {
+    return through_flow > stable_ && through_flow - stable_ <= options_.tolerance * (1 + 1e-9);
+  };
+  const auto settled = [&] { return done_ || closed() || (undecided_ >= undecided + kUnclear && flow_holds()); };
+  for (double step = 2 * notch; !settled() && std::isnan(failed_) && !(runaway_ <= factor); step *= 2) {
     simulation_.restore(*gravity_);
     for (Slices s = try_factor(factor, Phase::kFailedEnd); s.next();) co_yield Pause{};
     if (!done_ && verdict_ == Verdict::kStable && factor >= options_.srf_max) {
@@ -366,13 +375,11 @@ Slices GridSearch::upper_end_from_gravity() {
     }
     factor = std::min(options_.srf_max, notched(factor + step + 0.5 * notch));
   }
-  while (!done_ && !closed()) {
+  while (!settled()) {
     simulation_.restore(*gravity_);
     for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
-  // where gravity alone cannot tell, the failure shown through the flow stands
-  if (done_ && end_ == SearchEnd::kNotConverged && through_flow - stable_ <= options_.tolerance * (1 + 1e-9) &&
-      through_flow > stable_) {
+  if (!closed() && flow_holds() && !(done_ && end_ != SearchEnd::kNotConverged)) {
     done_ = false;
     failed_ = through_flow, failing_ = flow;
   }
@@ -407,6 +414,7 @@ Slices GridSearch::bisection() {
 }
 
 Slices GridSearch::run() {
+  if (options_.careful) patience_ = longest_ = kCareful;
   for (Slices s = gravity(); s.next();) co_yield Pause{};
   if (done_) co_return;
   if (!options_.careful) {

@@ -71,8 +71,9 @@ class GridSearch {
   std::size_t aside_ = 0;  // undecided trials since the last verdict
   SearchEnd end_ = SearchEnd::kNotConverged;
   std::string reason_;
-  int patience_ = TrialRules{}.patience;
-  double undecided_ = 0;  // trials without a verdict, by the share of the longest one they took
+  int longest_ = TrialRules{}.patience;  // response times a trial may take
+  int patience_ = longest_;              // ... and the next one
+  double undecided_ = 0;                 // trials without a verdict, by the share of the longest one they took
   int runaways_ = 0;
   bool gathers_force_ = false;  // the last failed trial did on its way
   bool done_ = false;

@@ -33,7 +33,9 @@ bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& la
   if (!flow) return false;
   trial.unbalanced_force_slope = flow->slope, trial.displacement_growth = flow->growth;
   trial.unsteadiness = trial.strength_reduction_factor * flow->unsteadiness;
-  return flow->fails && last.power_ratio < 1 - rules_.drive;
+  if (!flow->fails || !(last.power_ratio < 1 - rules_.drive)) return false;
+  const auto ahead = power_ratio_ahead(history);
+  return ahead && *ahead < 1 - rules_.drive;
 }
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {
