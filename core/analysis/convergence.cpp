@@ -234,6 +234,15 @@ void refuse_open_books(const Grids& g, Estimate& e) {
          "the energy books of the flow do not close (residual " + number_text(g.fine.energy_residual, 3) + ")");
 }
 
+/// Undrained soil that is sheared slowly hardens without end: how much it bears depends on how far it is let go.
+void say_that_it_hardens(const Grids& g, Estimate& e) {
+  constexpr double kSlight = 0.002;
+  const double share = g.fine.hardening / g.fine.factor_of_safety;
+  if (share > kSlight)
+    e.reason += "; the failing slope still hardens: let go as far again it would bear some " +
+                number_text(100 * share, 2) + " % more";
+}
+
 }  // namespace
 
 std::vector<Grid> closed_ladder(int levels) {
@@ -260,6 +269,7 @@ Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
   if (unresolved) refuse_unresolved_layer(g, e);
   else refuse_skin(g, e);
   refuse_open_books(g, e);
+  say_that_it_hardens(g, e);
   e.error = unresolved ? kNone : std::max(e.error, g.half);
   return e;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace vbgpd {
 
@@ -49,20 +48,19 @@ std::optional<Flow> flow_in(std::span<const Window> history, const Look& look, c
   return flow;
 }
 
-std::optional<double> power_ratio_ahead(std::span<const Window> history) {
+std::optional<Hardening> hardening_in(std::span<const Window> history) {
   const double start = history.front().displacement, moved = history.back().displacement - start;
-  if (!(moved > 0)) return std::nullopt;
+  constexpr double kFrom = 0.5, kHalf = 0.75;  // shares of the displacement: two parts with middles of 5/8 and 7/8
   double sum[2] = {0, 0}, weight[2] = {0, 0};
   for (const Window& w : history) {
     const double share = (w.displacement - start) / moved;
-    if (share < 0.5) continue;
-    const int part = share < 0.75 ? 0 : 1;
+    if (!(share >= kFrom)) continue;
+    const int part = share < kHalf ? 0 : 1;
     sum[part] += w.external_power * w.power_ratio, weight[part] += w.external_power;
   }
   if (!(weight[0] > 0 && weight[1] > 0)) return std::nullopt;
   const double earlier = sum[0] / weight[0], later = sum[1] / weight[1];
-  static const double k = std::getenv("KA") ? atof(std::getenv("KA")) : std::log(2 / 0.875) / std::log(0.875 / 0.625);
-  return later + k * (later - earlier);
+  return Hardening{later, (later - earlier) * std::log(16.0 / 7) / std::log(7.0 / 5)};
 }
 
 }  // namespace vbgpd

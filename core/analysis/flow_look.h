@@ -51,8 +51,12 @@ struct Flow {
 std::optional<Flow> flow_in(std::span<const Window> history, const Look& look, const TrialRules& rules,
                             std::int64_t response_steps, double elastic_displacement);
 
-/// The power ratio by the time the slope has moved as far again as in this history, rising with the logarithm of the
-/// displacement as it did over the later half of it.
-std::optional<double> power_ratio_ahead(std::span<const Window> history);
+/// The power ratio a flow has come to, and by how much it would rise while the slope moves as far again as it has since
+/// the history began: with the logarithm of the displacement, as over the later half of it.
+struct Hardening {
+  double power_ratio, rise;
+};
+/// None where nothing moved.
+std::optional<Hardening> hardening_in(std::span<const Window> history);
 
 }  // namespace vbgpd

@@ -122,7 +122,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
   if (trial.verdict == Verdict::kFailed) {
     if (!(failed_ <= factor)) {
       failed_ = factor, failing_ = simulation_.save();
-      unsteadiness_ = trial.unsteadiness, failing_flow_ = trial.power_ratio;
+      unsteadiness_ = trial.unsteadiness, failing_hardening_ = trial.hardening, failing_flow_ = trial.power_ratio;
     }
     displacement_level_ = trial.displacement_level;
     constexpr double kGathers = 0.5;
@@ -195,7 +195,7 @@ Slices GridSearch::overshoot(double& factor) {
   const auto windows = static_cast<std::size_t>(look / kWindow);
   const std::int64_t most = 60 * response_;
   double best = 0, unbalanced = 1;
-  std::vector<double> estimates;  // F_e after every window
+  std::vector<Window> flow;  // with F_e as the power ratio
   std::shared_ptr<SavedState> best_state;
   const TrialRules rules;
   Stopwatch watch;
@@ -208,7 +208,10 @@ Slices GridSearch::overshoot(double& factor) {
     set_factor(factor);
     simulation_.halt();
     steps = looked = 0, best = 0, falls = at_rest = 0, unbalanced = 1, watch = Stopwatch();
-    estimates.clear();
+    flow.clear();
+  };
+  const auto read_hardening = [&] {
+    if (const auto hardening = hardening_in(flow)) hardening_ = hardening->rise;
   };
   for (;;) {
     const RelaxReport r = simulation_.relax(kWindow, options);
@@ -228,11 +231,13 @@ Slices GridSearch::overshoot(double& factor) {
       continue;
     }
     const double estimate = factor * r.power_ratio;
-    estimates.push_back(estimate);
-    const bool steady = estimates.size() > windows &&
-                        std::fabs(estimate - estimates[estimates.size() - 1 - windows]) < kSteady * estimate;
+    flow.push_back({r.unbalanced_force_ratio, r.max_displacement, std::fmax(0, r.external_power), estimate});
+    const bool steady =
+        flow.size() > windows && std::fabs(estimate - flow[flow.size() - 1 - windows].power_ratio) < kSteady * estimate;
     if (level > kLevel && estimate < factor && steady) {
-      flow_ = estimate, fresh_flow_ = std::accumulate(estimates.end() - windows, estimates.end(), 0.0) / windows;
+      const auto add = [](double sum, const Window& w) { return sum + w.power_ratio; };
+      flow_ = estimate, fresh_flow_ = std::accumulate(flow.end() - windows, flow.end(), 0.0, add) / windows;
+      read_hardening();
       co_return;
     }
     if (looked >= look) {
@@ -249,6 +254,7 @@ Slices GridSearch::overshoot(double& factor) {
       if (falls >= 2 || level > 2 * kLevel) {
         if (best_state == nullptr || !(best < factor)) co_return;  // the careful way decides
         flow_ = fresh_flow_ = best;
+        read_hardening();
         simulation_.restore(*best_state);
         co_return;
       }
@@ -345,6 +351,7 @@ Slices GridSearch::fast_bracket() {
   const bool softened = gathers_force_ && failing_flow_ < (1 - kOverread) * fresh_flow_ - options_.tolerance;
   const bool worn = failing_flow_ < (1 - kWorn) * first_flow;
   const bool strayed = stable_ > (1 + kStray) * read;
+  if (failing_flow_ < (1 - kOverread) * fresh_flow_) hardening_ = 0;  // too brisk a flow to read that from
   if (!done_ && (softened || worn || strayed))
     for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
 }
@@ -359,13 +366,12 @@ Slices GridSearch::upper_end_from_gravity() {
   const std::shared_ptr<SavedState> flow = failing_;
   double factor = failed_;
   failed_ = kNone;
-  constexpr double kUnclear =
-      2;  // so many undecided trials, and gravity alone cannot tell: what the flow showed stands
   const double undecided = undecided_;
   const auto flow_holds = [&] {
     return through_flow > stable_ && through_flow - stable_ <= options_.tolerance * (1 + 1e-9);
   };
-  const auto settled = [&] { return done_ || closed() || (undecided_ >= undecided + kUnclear && flow_holds()); };
+  // where gravity alone cannot tell, the failure shown through the flow stands
+  const auto settled = [&] { return done_ || closed() || (undecided_ > undecided && flow_holds()); };
   for (double step = 2 * notch; !settled() && std::isnan(failed_) && !(runaway_ <= factor); step *= 2) {
     simulation_.restore(*gravity_);
     for (Slices s = try_factor(factor, Phase::kFailedEnd); s.next();) co_yield Pause{};
@@ -382,7 +388,7 @@ Slices GridSearch::upper_end_from_gravity() {
   if (!closed() && flow_holds() && !(done_ && end_ != SearchEnd::kNotConverged)) {
     done_ = false;
     failed_ = through_flow, failing_ = flow;
-  }
+  } else hardening_ = failing_hardening_;
 }
 
 /// Plain bisection, every trial from the gravity state.
@@ -411,6 +417,7 @@ Slices GridSearch::bisection() {
     from_gravity();
     for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
+  hardening_ = failing_hardening_;
 }
 
 Slices GridSearch::run() {

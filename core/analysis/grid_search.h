@@ -34,6 +34,8 @@ class GridSearch {
   double displacement_level() const { return displacement_level_; }
   /// Of the flow at the failed end.
   double unsteadiness() const { return unsteadiness_; }
+  /// Rise of F_e while the slope moves as far again, where a flow that kept its strength shows one.
+  double hardening() const { return hardening_; }
   std::int64_t response_steps() const { return response_; }
 
  private:
@@ -63,7 +65,7 @@ class GridSearch {
   std::shared_ptr<SavedState> gravity_, standing_, failing_;
   std::int64_t response_ = 0;
   double elastic_displacement_ = 0, stable_ = kNone, failed_ = kNone, flow_ = kNone, displacement_level_ = kNone;
-  double unsteadiness_ = 0;
+  double unsteadiness_ = 0, hardening_ = 0, failing_hardening_ = 0;
   double fresh_flow_ = kNone;    // F_e over the look at which it was first read
   double failing_flow_ = kNone;  // F_e at the failed end
   double runaway_ = kNone;       // lowest factor at which displacements ran away

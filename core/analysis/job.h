@@ -36,6 +36,7 @@ struct Trial {
   double displacement_level = 0, displacement_growth = 0;
   double power_ratio = kNone;  ///< F_e = F (internal power / external power); none at rest
   double unsteadiness = 0;     ///< how far F_e strayed from steady while the failure showed (RMS about a line)
+  double hardening = 0;        ///< by how much F_e would rise while the slope moves as far again
   std::int64_t steps = 0;
   double wall_seconds = 0;
 };
@@ -50,6 +51,7 @@ struct Level {
   double sliding_thickness = kNone;  ///< area over length of the slip line, m; NaN in soil without friction
   double misfit = 0;                 ///< of key lines from cell edges, in coarse cells
   double unsteadiness = 0;           ///< of the flow at the failed end of the bracket
+  double hardening = 0;              ///< rise of F_e while the slope moves as far again
   double energy_residual = 0;        ///< of the flow that shows the mechanism
 };
 

@@ -183,7 +183,7 @@ class StrengthReductionJob final : public SliceJob {
     level.particles = simulation.particle_count(), level.bonds = simulation.bond_count();
     level.misfit = simulation.section().lattice.misfit.maxCoeff();
     level.srf_stable = search.stable(), level.srf_unstable = search.failed();
-    level.unsteadiness = search.unsteadiness();
+    level.unsteadiness = search.unsteadiness(), level.hardening = search.hardening();
     return level;
   }
 

@@ -34,8 +34,10 @@ bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& la
   trial.unbalanced_force_slope = flow->slope, trial.displacement_growth = flow->growth;
   trial.unsteadiness = trial.strength_reduction_factor * flow->unsteadiness;
   if (!flow->fails || !(last.power_ratio < 1 - rules_.drive)) return false;
-  const auto ahead = power_ratio_ahead(history);
-  return ahead && *ahead < 1 - rules_.drive;
+  const auto hardening = hardening_in(history);
+  if (!hardening) return false;
+  trial.hardening = trial.strength_reduction_factor * hardening->rise;
+  return hardening->power_ratio + hardening->rise < 1 - rules_.drive;
 }
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {

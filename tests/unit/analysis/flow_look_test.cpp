@@ -102,5 +102,41 @@ TEST(FlowLook, JerkyFlowStraysByWhatItsPowerRatioDoes) {
   EXPECT_NEAR(seen(flow_of(jerky)).unsteadiness, 0.004, 2e-4);
 }
 
+/// F_e rises with the logarithm of what the slope has moved, `times` its elastic displacement in the end.
+std::vector<Window> hardening_flow(double rise, double times, double tremble = 0) {
+  return flow_of(
+      [=](int n) {
+        Window w = steady(n);
+        const double moved = times * (n + 1) / 100.0;
+        w.displacement = kElastic * (1 + moved);
+        w.power_ratio = 0.99 + rise * std::log(moved / times) + (n % 2 == 0 ? tremble : -tremble);
+        return w;
+      },
+      100);
+}
+
+TEST(Hardening, ReadsWhatALogarithmOfTheDisplacementWillRiseBy) {
+  for (const double times : {0.01, 1.0, 1000.0}) {  // however far that is
+    const Hardening seen = hardening_in(hardening_flow(0.004, times)).value();
+    EXPECT_NEAR(seen.power_ratio + seen.rise, 0.99 + 0.004 * std::log(2), 1e-4) << times;
+  }
+}
+
+TEST(Hardening, SeesNoneInASteadyFlowThatTrembles) {
+  const Hardening seen = hardening_in(hardening_flow(0, 3, 0.001)).value();
+  EXPECT_NEAR(seen.power_ratio, 0.99, 1e-4);
+  EXPECT_NEAR(seen.rise, 0, 2e-4);
+}
+
+TEST(Hardening, HasNothingToReadWhereNothingMoves) {
+  const auto still = [](int n) {
+    Window w = steady(n);
+    w.displacement = kElastic;
+    return w;
+  };
+  EXPECT_FALSE(hardening_in(flow_of(still)));
+  EXPECT_FALSE(hardening_in(flow_of(steady, 1)));
+}
+
 }  // namespace
 }  // namespace vbgpd
