@@ -56,6 +56,14 @@ double GridSearch::middle() const {
   return notched(cut + 0.5 * notch);
 }
 
+/// A slope may all but balance over a range of factors, neither at rest nor failing: two trials in there, each with the
+/// whole patience, and the bracket may be as wide again.
+bool GridSearch::closed() const {
+  const auto inside = [&](double f) { return f > stable_ && f < failed_; };
+  const auto pairs = std::count_if(balanced_.begin(), balanced_.end(), inside) / 2;
+  return failed_ - stable_ <= options_.tolerance * (1 + static_cast<double>(pairs)) * (1 + 1e-9);
+}
+
 void GridSearch::end_below() {
   end_ = SearchEnd::kBelowMin, done_ = true;
   reason_ = "the slope fails even at the lowest strength reduction factor asked, " + number_text(options_.srf_min);
@@ -153,6 +161,7 @@ void GridSearch::set_aside(const Trial& trial) {
             " steps (unbalanced force ratio " + number_text(trial.unbalanced_force_ratio) + ")";
   patience_ = std::min(2 * patience_, longest_);
   const std::int64_t longest = options_.step_limit > 0 ? options_.step_limit : longest_ * response_;
+  if (trial.steps >= longest) balanced_.push_back(trial.strength_reduction_factor);
   undecided_ += std::max(0.5, static_cast<double>(trial.steps) / static_cast<double>(longest));
   if (undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
 }
@@ -310,7 +319,7 @@ Slices GridSearch::fast_bracket() {
     if (done_ || verdict_ == Verdict::kStable) break;
     // soil that the flow has worn out fails below what untouched soil bears: from there on the careful way
     if (verdict_ == Verdict::kFailed && (low <= options_.srf_min || flow_ < (1 - kWornOut) * first_flow)) {
-      failed_ = flow_ = kNone, failing_ = nullptr, patience_ = longest_;
+      failed_ = flow_ = kNone, failing_ = nullptr;
       options_.guess = first_low;
       for (Slices s = bisection(); s.next();) co_yield Pause{};
       co_return;
@@ -393,6 +402,7 @@ Slices GridSearch::upper_end_from_gravity() {
 
 /// Plain bisection, every trial from the gravity state.
 Slices GridSearch::bisection() {
+  patience_ = longest_;
   const auto from_gravity = [&] { simulation_.restore(*gravity_); };
   double factor = std::clamp(std::isnan(options_.guess) ? 1.0 : options_.guess, options_.srf_min, options_.srf_max);
   for (double step = 1.25; !done_ && (std::isnan(stable_) || std::isnan(std::fmin(failed_, runaway_)));
@@ -421,7 +431,7 @@ Slices GridSearch::bisection() {
 }
 
 Slices GridSearch::run() {
-  if (options_.careful) patience_ = longest_ = kCareful;
+  if (options_.careful) longest_ = kCareful;
   for (Slices s = gravity(); s.next();) co_yield Pause{};
   if (done_) co_return;
   if (!options_.careful) {

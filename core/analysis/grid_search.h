@@ -55,7 +55,7 @@ class GridSearch {
   void end_above();
   void set_aside(const Trial& trial);
   void run_away(double factor);
-  bool closed() const { return failed_ - stable_ <= options_.tolerance * (1 + 1e-9); }
+  bool closed() const;
 
   Simulation& simulation_;
   SearchOptions options_;
@@ -76,6 +76,7 @@ class GridSearch {
   int longest_ = TrialRules{}.patience;  // response times a trial may take
   int patience_ = longest_;              // ... and the next one
   double undecided_ = 0;                 // trials without a verdict, by the share of the longest one they took
+  std::vector<double> balanced_;         // factors of those that took the longest
   int runaways_ = 0;
   bool gathers_force_ = false;  // the last failed trial did on its way
   bool done_ = false;

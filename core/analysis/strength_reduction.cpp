@@ -246,6 +246,10 @@ class StrengthReductionJob final : public SliceJob {
     result_.status = now_.status, result_.reason = now_.reason;
     if (now_.status == "ENERGY_UNBALANCED") outcome_ = Status::kNotConverged;
     if (!stop_.empty()) result_.reason += "; " + stop_;
+    if (result_.srf_unstable - result_.srf_stable > option("srf_tolerance") * (1 + 1e-9))
+      result_.reason +=
+          "; inside the bracket neither equilibrium nor steady failure showed, so that it is wider than " +
+          number_text(option("srf_tolerance"));
     constexpr double kWide = 0.1, kUseless = 0.2;
     const double share = result_.error_estimate / result_.factor_of_safety;
     if (levels.size() > 1 && share > kWide)
