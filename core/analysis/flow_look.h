@@ -18,6 +18,7 @@ struct TrialRules {
   double drive = 0;             ///< failed: F_e = F (internal power / external power) lies below F by this share of it
   double catching_up = 8;       ///< ... and would not have risen to it in so many response times at its present rate
   int long_look = 12;           ///< response times over which the same growth tells a slow flow from creep to rest
+  double balanced = 0;          ///< undecided at once where the flow would balance at the factor tried to within this
   int patience = 30;            ///< undecided after so many response times, or ...
   std::int64_t step_limit = 0;  ///< ... after so many steps, if any
 };

@@ -48,7 +48,7 @@ double GridSearch::middle() const {
   double cut = (stable_ + above) / 2;
   constexpr double kBeside[] = {0, 0.25, -0.25, 0.375, -0.375};
   const auto inside = [&](double f) { return f > stable_ + 0.5 * notch && f < above - 0.5 * notch; };
-  const double below = notched(flow_ - notch);
+  const double below = notched(flow_ - 0.5 * notch);
   if (aside_ > 0) cut += width * kBeside[std::min<std::size_t>(aside_, std::size(kBeside) - 1)];
   else if (inside(below)) cut = below;
   else if (inside(below + options_.tolerance)) cut = below + options_.tolerance;
@@ -113,6 +113,7 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
   TrialRules rules;
   rules.step_limit = options_.step_limit, rules.patience = patience_;
   rules.drive = 0.5 * kNotch * options_.tolerance / factor;
+  if (patience_ == kBriefly) rules.balanced = kNotch * options_.tolerance / factor;
   TrialRun run(simulation_, rules, response_, elastic_displacement_);
   for (Slices s = run.run(trial, progress_); s.next();) {
     trials_.back() = trial;

@@ -82,6 +82,8 @@ Slices TrialRun::run(Trial& trial, Progress& progress) {
       }
       before = instant(simulation_), band_due = trial.steps + response_;
     }
+    const bool steady_on = trial.steps >= 2 * response_ && r.since_restart >= response_ / 2;
+    if (steady_on && std::fabs(1 - r.power_ratio) < rules_.balanced) co_return;
     if (trial.steps >= limit) co_return;  // undecided: a step limit is never a verdict
     co_yield Pause{};
   }
