@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/runout_scenes.h"
 #include "physics/scenes.h"
 
 namespace vbgpd {
@@ -59,6 +60,19 @@ TEST(Trial, FlowTooSlowForABriefLookFailsOnALongOne) {
   const Trial t = tried(*simulation, kBalances + 0.001, both);
   EXPECT_EQ(t.verdict, Verdict::kFailed);
   EXPECT_GE(t.steps, both.long_look * kResponse);
+}
+
+TEST(Trial, UntouchedSoilThatRestsInTheEndHasNotFailedOnItsWay) {
+  // a little below its factor of safety it creeps for thirty response times, R on a plateau, while F_e rises to F
+  for (const double below : {0.007, 0.0045, 0.002}) {
+    const auto simulation = Simulation::compile(test::slope(test::soil("mohr_coulomb", 10e3, 20), 1), {});
+    test::load_by_gravity(*simulation, 1e-6);
+    TrialRules rules;
+    rules.patience = 100;
+    const Trial t = tried(*simulation, kBalances - below, rules);
+    EXPECT_EQ(t.verdict, Verdict::kStable) << below;
+    EXPECT_GT(t.steps, 20 * kResponse) << below;
+  }
 }
 
 TEST(Trial, StepLimitIsNoVerdict) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/job.h"
+#include "physics/scenes.h"
 #include "sample_scene.h"
 #include "validation/solve.h"
 
@@ -153,6 +154,28 @@ TEST(FactorOfSafety, IsNotDecidedByAStepLimit) {
   EXPECT_NE(job->result().reason.find("20 steps"), std::string::npos) << job->result().reason;
 }
 
+TEST(FactorOfSafety, BracketIsWiderWhereTheSlopeAllButBalancesAndSaysSo) {
+  const auto careful = [](int step_limit) {
+    const auto simulation = Simulation::compile(test::slope(test::soil("mohr_coulomb", 10e3, 20), 1), {});
+    const auto job = make_strength_reduction(*simulation);
+    job->set("levels", 1), job->set("careful", 1), job->set("step_limit", step_limit);
+    job->run(0, {});
+    return job->result();
+  };
+  const JobResult impatient = careful(4000), patient = careful(0);
+  const double asked = 0.005 + 1e-9, wide = impatient.srf_unstable - impatient.srf_stable;
+  ASSERT_EQ(impatient.status, "OK") << impatient.reason;
+  ASSERT_EQ(patient.status, "OK") << patient.reason;
+  EXPECT_GT(wide, asked);
+  EXPECT_LE(wide, 2 * asked);
+  EXPECT_NE(impatient.reason.find("wider than 0.005"), std::string::npos) << impatient.reason;
+  EXPECT_GE(impatient.error_estimate, wide / 2);
+  EXPECT_LE(patient.srf_unstable - patient.srf_stable, asked);
+  EXPECT_EQ(patient.reason.find("wider"), std::string::npos) << patient.reason;
+  EXPECT_LE(impatient.srf_stable, patient.srf_stable);  // and both ends of it are true
+  EXPECT_GE(impatient.srf_unstable, patient.srf_unstable);
+}
+
 TEST(FactorOfSafety, ComesWithTheEvidenceOfBothEnds) {
   const JobResult r = solve(small_slope(), 1);
   bool stable = false, failed = false;
@@ -174,13 +197,24 @@ TEST(FactorOfSafety, ComesWithTheEvidenceOfBothEnds) {
 }
 
 TEST(FactorOfSafety, AgreesBetweenTheFastAndTheCarefulSearch) {
-  SceneDef s = sample_scene("gl_1");
-  const auto simulation = Simulation::compile(s, {});
-  const auto careful = make_strength_reduction(*simulation);
-  careful->set("levels", 1), careful->set("careful", 1);
-  careful->run(0, {});
-  const double fast = solve(s, 1).factor_of_safety;
-  EXPECT_NEAR(fast, careful->result().factor_of_safety, 0.005 * fast);
+  for (const char* name : {"gl_1", "gl_5_l0", "slope_60"}) {
+    const SceneDef s = sample_scene(name);
+    const auto simulation = Simulation::compile(s, {});
+    const auto careful = make_strength_reduction(*simulation);
+    careful->set("levels", 1), careful->set("careful", 1);
+    careful->run(0, {});
+    const double fast = solve(s, 1).factor_of_safety;
+    EXPECT_NEAR(fast, careful->result().factor_of_safety, 0.003 * fast) << name;
+  }
+}
+
+TEST(FactorOfSafety, SaysWhereTheFailingSlopeStillHardens) {
+  // a weak undrained band, over which the slope slides ever further
+  const JobResult band = solve(sample_scene("gl_3_r0_2"), 1), plain = solve(sample_scene("gl_1"), 1);
+  EXPECT_GT(band.levels.back().hardening, 0.005 * band.factor_of_safety) << band.reason;
+  EXPECT_NE(band.reason.find("still hardens"), std::string::npos) << band.reason;
+  EXPECT_LT(std::fabs(plain.levels.back().hardening), 0.002 * plain.factor_of_safety) << plain.reason;
+  EXPECT_EQ(plain.reason.find("still hardens"), std::string::npos) << plain.reason;
 }
 
 TEST(SlipSurface, OfExampleOneRunsFromCrestToToe) {
