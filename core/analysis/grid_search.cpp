@@ -16,10 +16,9 @@ constexpr double kNotch =
 
 constexpr double kFall = 0.01;  // F_e is past its peak when it falls by more than this
 
-constexpr int kBriefly = 4;  // response times a trial may take where another factor beside it would do
-constexpr int kLong = 14;    // ... where one further away would do
-constexpr int kCareful =
-    100;  // ... of a plain bisection: untouched soil a little above or below its factor of safety takes that
+constexpr int kBriefly = 4;    // response times a trial may take where another factor beside it would do
+constexpr int kLong = 14;      // ... where one further away would do
+constexpr int kCareful = 100;  // ... of a plain bisection: near its factor of safety untouched soil takes so long
 
 /// The masses of the relaxation follow the stiffness: a mechanism in the stiffest soil gathers speed so many times more
 /// slowly than one in the softest, which the elastic response does not show.
