@@ -50,6 +50,7 @@ std::optional<Flow> flow_in(std::span<const Window> history, const Look& look, c
 
 std::optional<Hardening> hardening_in(std::span<const Window> history) {
   const double start = history.front().displacement, moved = history.back().displacement - start;
+  if (!(moved > 0)) return std::nullopt;
   constexpr double kFrom = 0.5, kHalf = 0.75;  // shares of the displacement: two parts with middles of 5/8 and 7/8
   double sum[2] = {0, 0}, weight[2] = {0, 0};
   for (const Window& w : history) {

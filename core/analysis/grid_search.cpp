@@ -18,7 +18,7 @@ constexpr double kFall = 0.01;  // F_e is past its peak when it falls by more th
 
 constexpr int kBriefly = 4;    // response times a trial may take where another factor beside it would do
 constexpr int kLong = 14;      // ... where one further away would do
-constexpr int kCareful = 100;  // ... of a plain bisection: near its factor of safety untouched soil takes so long
+constexpr int kCareful = 100;  // ... where plain bisection is asked for: untouched soil takes long near its limit
 
 /// The masses of the relaxation follow the stiffness: a mechanism in the stiffest soil gathers speed so many times more
 /// slowly than one in the softest, which the elastic response does not show.
@@ -43,7 +43,8 @@ double GridSearch::notched(double factor) const {
 /// rests nor flows; in the middle where that is not known; beside that after an undecided trial there. Where one more
 /// verdict closes it either way, as low as that allows: the lower, the sooner it stands.
 double GridSearch::middle() const {
-  const double above = std::fmin(failed_, runaway_), width = above - stable_, notch = kNotch * options_.tolerance;
+  const double above = std::fmin(failure_.factor, runaway_), width = above - stable_;
+  const double notch = kNotch * options_.tolerance;
   double cut = (stable_ + above) / 2;
   constexpr double kBeside[] = {0, 0.25, -0.25, 0.375, -0.375};
   const auto inside = [&](double f) { return f > stable_ + 0.5 * notch && f < above - 0.5 * notch; };
@@ -55,12 +56,12 @@ double GridSearch::middle() const {
   return notched(cut + 0.5 * notch);
 }
 
-/// A slope may all but balance over a range of factors, neither at rest nor failing: two trials in there, each with the
-/// whole patience, and the bracket may be as wide again.
+/// A slope may all but balance over a range of factors, neither at rest nor failing: for every two factors in there
+/// that were tried for as long as allowed, the bracket may be wider by the tolerance.
 bool GridSearch::closed() const {
-  const auto inside = [&](double f) { return f > stable_ && f < failed_; };
+  const auto inside = [&](double f) { return f > stable_ && f < failure_.factor; };
   const auto pairs = std::count_if(balanced_.begin(), balanced_.end(), inside) / 2;
-  return failed_ - stable_ <= options_.tolerance * (1 + static_cast<double>(pairs)) * (1 + 1e-9);
+  return failure_.factor - stable_ <= options_.tolerance * (1 + static_cast<double>(pairs)) * (1 + 1e-9);
 }
 
 void GridSearch::end_below() {
@@ -128,18 +129,16 @@ Slices GridSearch::try_factor(double factor, Phase phase) {
     standing_ = simulation_.save();
   }
   if (trial.verdict == Verdict::kFailed) {
-    if (!(failed_ <= factor)) {
-      failed_ = factor, failing_ = simulation_.save();
-      unsteadiness_ = trial.unsteadiness, failing_hardening_ = trial.hardening, failing_flow_ = trial.power_ratio;
-    }
-    displacement_level_ = trial.displacement_level;
+    if (!(failure_.factor <= factor))
+      failure_ = {factor,          trial.power_ratio, trial.displacement_level, trial.unsteadiness,
+                  trial.hardening, simulation_.save()};
     constexpr double kGathers = 0.5;
     gathers_force_ = trial.unbalanced_force_slope > kGathers;
   }
   if (trial.verdict == Verdict::kUndecided && !run.diverged()) set_aside(trial);
-  if (runaway_ - stable_ <= options_.tolerance * (1 + 1e-9) && !(failed_ <= runaway_))
+  if (runaway_ - stable_ <= options_.tolerance * (1 + 1e-9) && !(failure_.factor <= runaway_))
     end_ = SearchEnd::kDiverged, done_ = true;
-  progress_.srf_stable = stable_, progress_.srf_unstable = failed_;
+  progress_.srf_stable = stable_, progress_.srf_unstable = failure_.factor;
 }
 
 /// Displacements that run away are no verdict: the flow was too fast to follow, a slower one is looked for below.
@@ -161,7 +160,7 @@ void GridSearch::set_aside(const Trial& trial) {
             " steps (unbalanced force ratio " + number_text(trial.unbalanced_force_ratio) + ")";
   patience_ = std::min(2 * patience_, longest_);
   const std::int64_t longest = options_.step_limit > 0 ? options_.step_limit : longest_ * response_;
-  if (trial.steps >= longest) balanced_.push_back(trial.strength_reduction_factor);
+  if (trial.steps >= longest) balanced_.insert(trial.strength_reduction_factor);
   undecided_ += std::max(0.5, static_cast<double>(trial.steps) / static_cast<double>(longest));
   if (undecided_ >= kMost) end_ = SearchEnd::kNotConverged, done_ = true;
 }
@@ -220,7 +219,7 @@ Slices GridSearch::overshoot(double& factor) {
     flow.clear();
   };
   const auto read_hardening = [&] {
-    if (const auto hardening = hardening_in(flow)) hardening_ = hardening->rise;
+    if (const auto hardening = hardening_in(flow)) flow_hardening_ = hardening->rise;
   };
   for (;;) {
     const RelaxReport r = simulation_.relax(kWindow, options);
@@ -319,7 +318,7 @@ Slices GridSearch::fast_bracket() {
     if (done_ || verdict_ == Verdict::kStable) break;
     // soil that the flow has worn out fails below what untouched soil bears: from there on the careful way
     if (verdict_ == Verdict::kFailed && (low <= options_.srf_min || flow_ < (1 - kWornOut) * first_flow)) {
-      failed_ = flow_ = kNone, failing_ = nullptr;
+      failure_ = {}, flow_ = kNone, balanced_.clear();
       options_.guess = first_low;
       for (Slices s = bisection(); s.next();) co_yield Pause{};
       co_return;
@@ -335,7 +334,7 @@ Slices GridSearch::fast_bracket() {
   // more, then two, going on from there
   patience_ = kBriefly;
   double step = options_.tolerance, aside = notch;
-  for (double high = stable_ + step; !done_ && !(failed_ <= high) && !(runaway_ <= high);) {
+  for (double high = stable_ + step; !done_ && !(failure_.factor <= high) && !(runaway_ <= high);) {
     high = std::min(options_.srf_max, notched(high + 0.5 * notch));
     for (Slices s = try_factor(high, Phase::kFailedEnd); s.next();) co_yield Pause{};
     if (!done_ && verdict_ == Verdict::kStable && high >= options_.srf_max) {
@@ -351,16 +350,17 @@ Slices GridSearch::fast_bracket() {
   // takes long. From how far an undecided one got, in any case
   while (!done_ && !closed()) {
     const double factor = middle();
-    const bool arrest = failing_ && factor < flow_ && flow_ < (1 + kHardened) * read;
-    if (verdict_ != Verdict::kUndecided) simulation_.restore(arrest ? *failing_ : *standing_);
+    const bool arrest = failure_.state && factor < flow_ && flow_ < (1 + kHardened) * read;
+    if (verdict_ != Verdict::kUndecided) simulation_.restore(arrest ? *failure_.state : *standing_);
     for (Slices s = try_factor(factor, Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
   constexpr double kWorn = 0.003, kStray = 0.03;
   constexpr double kOverread = 0.003;  // of a brisk flow, at most: F_e falls by that when it slows down
-  const bool softened = gathers_force_ && failing_flow_ < (1 - kOverread) * fresh_flow_ - options_.tolerance;
-  const bool worn = failing_flow_ < (1 - kWorn) * first_flow;
+  const bool softened = gathers_force_ && failure_.flow < (1 - kOverread) * fresh_flow_ - options_.tolerance;
+  const bool worn = failure_.flow < (1 - kWorn) * first_flow;
   const bool strayed = stable_ > (1 + kStray) * read;
-  if (failing_flow_ < (1 - kOverread) * fresh_flow_) hardening_ = 0;  // too brisk a flow to read that from
+  const bool kept = failure_.flow >= (1 - kOverread) * fresh_flow_;  // else that flow was too brisk to tell
+  failure_.hardening = kept ? flow_hardening_ : 0;
   if (!done_ && (softened || worn || strayed))
     for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
 }
@@ -371,17 +371,14 @@ Slices GridSearch::fast_bracket() {
 /// far above where the flow was read: soil that dilates changes the longer it flows.
 Slices GridSearch::upper_end_from_gravity() {
   const double notch = kNotch * options_.tolerance;
-  const double through_flow = failed_;
-  const std::shared_ptr<SavedState> flow = failing_;
-  double factor = failed_;
-  failed_ = kNone;
-  const double undecided = undecided_;
-  const auto flow_holds = [&] {
-    return through_flow > stable_ && through_flow - stable_ <= options_.tolerance * (1 + 1e-9);
-  };
+  const Failure through_flow = failure_;
+  double factor = failure_.factor;
+  failure_ = {}, balanced_.clear();
   // where gravity alone cannot tell, the failure shown through the flow stands
+  const double undecided = undecided_;
+  const auto flow_holds = [&] { return through_flow.factor > stable_; };
   const auto settled = [&] { return done_ || closed() || (undecided_ > undecided && flow_holds()); };
-  for (double step = 2 * notch; !settled() && std::isnan(failed_) && !(runaway_ <= factor); step *= 2) {
+  for (double step = 2 * notch; !settled() && std::isnan(failure_.factor) && !(runaway_ <= factor); step *= 2) {
     simulation_.restore(*gravity_);
     for (Slices s = try_factor(factor, Phase::kFailedEnd); s.next();) co_yield Pause{};
     if (!done_ && verdict_ == Verdict::kStable && factor >= options_.srf_max) {
@@ -396,8 +393,8 @@ Slices GridSearch::upper_end_from_gravity() {
   }
   if (!closed() && flow_holds() && !(done_ && end_ != SearchEnd::kNotConverged)) {
     done_ = false;
-    failed_ = through_flow, failing_ = flow;
-  } else hardening_ = failing_hardening_;
+    failure_ = through_flow, progress_.srf_unstable = failure_.factor;
+  }
 }
 
 /// Plain bisection, every trial from the gravity state.
@@ -405,7 +402,7 @@ Slices GridSearch::bisection() {
   patience_ = longest_;
   const auto from_gravity = [&] { simulation_.restore(*gravity_); };
   double factor = std::clamp(std::isnan(options_.guess) ? 1.0 : options_.guess, options_.srf_min, options_.srf_max);
-  for (double step = 1.25; !done_ && (std::isnan(stable_) || std::isnan(std::fmin(failed_, runaway_)));
+  for (double step = 1.25; !done_ && (std::isnan(stable_) || std::isnan(std::fmin(failure_.factor, runaway_)));
        step = std::min(2.0, step * 1.1)) {
     from_gravity();
     for (Slices s = try_factor(factor, Phase::kSearch); s.next();) co_yield Pause{};
@@ -427,7 +424,6 @@ Slices GridSearch::bisection() {
     from_gravity();
     for (Slices s = try_factor(middle(), Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
-  hardening_ = failing_hardening_;
 }
 
 Slices GridSearch::run() {
@@ -448,7 +444,7 @@ Slices GridSearch::run() {
   }
   if (done_) co_return;
   end_ = SearchEnd::kBracketed;
-  simulation_.restore(*failing_);
+  simulation_.restore(*failure_.state);
 }
 
 }  // namespace vbgpd

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 
 #include "analysis/trial.h"
 
@@ -29,13 +30,11 @@ class GridSearch {
   SearchEnd end() const { return end_; }
   const std::string& reason() const { return reason_; }
   double stable() const { return stable_; }
-  double failed() const { return failed_; }
-  /// Displacement level of the last failed trial.
-  double displacement_level() const { return displacement_level_; }
-  /// Of the flow at the failed end.
-  double unsteadiness() const { return unsteadiness_; }
-  /// Rise of F_e while the slope moves as far again, where a flow that kept its strength shows one.
-  double hardening() const { return hardening_; }
+  double failed() const { return failure_.factor; }
+  /// Of the flow at the failed end; its hardening, where it kept its strength, as the first flow showed it.
+  double displacement_level() const { return failure_.displacement_level; }
+  double unsteadiness() const { return failure_.unsteadiness; }
+  double hardening() const { return failure_.hardening; }
   std::int64_t response_steps() const { return response_; }
 
  private:
@@ -62,13 +61,18 @@ class GridSearch {
   std::vector<Trial>& trials_;
   Progress& progress_;
   int level_;
-  std::shared_ptr<SavedState> gravity_, standing_, failing_;
+  std::shared_ptr<SavedState> gravity_, standing_;
   std::int64_t response_ = 0;
-  double elastic_displacement_ = 0, stable_ = kNone, failed_ = kNone, flow_ = kNone, displacement_level_ = kNone;
-  double unsteadiness_ = 0, hardening_ = 0, failing_hardening_ = 0;
-  double fresh_flow_ = kNone;    // F_e over the look at which it was first read
-  double failing_flow_ = kNone;  // F_e at the failed end
-  double runaway_ = kNone;       // lowest factor at which displacements ran away
+  double elastic_displacement_ = 0, stable_ = kNone, flow_ = kNone;
+  double fresh_flow_ = kNone;  // F_e over the look at which it was first read
+  double flow_hardening_ = 0;  // ... and its rise while the slope would have moved as far again
+  struct Failure {             // the failed end
+    double factor = kNone;     // NaN = none yet
+    double flow = kNone;       // F_e
+    double displacement_level = kNone, unsteadiness = 0, hardening = 0;
+    std::shared_ptr<SavedState> state;
+  } failure_;
+  double runaway_ = kNone;  // lowest factor at which displacements ran away
   Verdict verdict_ = Verdict::kUndecided;
   std::size_t aside_ = 0;  // undecided trials since the last verdict
   SearchEnd end_ = SearchEnd::kNotConverged;
@@ -76,7 +80,7 @@ class GridSearch {
   int longest_ = TrialRules{}.patience;  // response times a trial may take
   int patience_ = longest_;              // ... and the next one
   double undecided_ = 0;                 // trials without a verdict, by the share of the longest one they took
-  std::vector<double> balanced_;         // factors of those that took the longest
+  std::set<double> balanced_;            // factors of those that took the longest
   int runaways_ = 0;
   bool gathers_force_ = false;  // the last failed trial did on its way
   bool done_ = false;

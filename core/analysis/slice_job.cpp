@@ -24,7 +24,8 @@ constexpr JobOption kOptions[] = {
      "strength reduction: soils count as at most this many times as stiff as the softest one", kStiffnessContrast, 1,
      1e12},
     {"end_time", "s", "run-out: simulated time to stop at; 0 = at rest", 0, 0, 1e9},
-    {"step_limit", "1", "steps after which a trial is undecided; 0 = 30 response times", 0, 0, 1e12, kWhole},
+    {"step_limit", "1", "steps after which a trial is undecided; 0 = 30 response times, careful 100", 0, 0, 1e12,
+     kWhole},
 };
 
 }  // namespace

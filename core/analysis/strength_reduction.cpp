@@ -158,13 +158,17 @@ class StrengthReductionJob final : public SliceJob {
     }
   }
 
+  /// Of a bracket. Half of the target is left to the brackets of the two grids that are extrapolated.
+  double tolerance() const {
+    constexpr double kNarrowest = 1e-4;
+    const double asked = option("srf_tolerance");
+    return target_ > 0 ? std::clamp(target_ / 3, kNarrowest, asked) : asked;
+  }
+
   SearchOptions search_options(const Simulation& simulation) const {
     SearchOptions options;
     options.srf_min = option("srf_min"), options.srf_max = option("srf_max");
-    options.tolerance = option("srf_tolerance");
-    // half of the target is left to the brackets of the two grids that are extrapolated
-    constexpr double kNarrowest = 1e-4;
-    if (target_ > 0) options.tolerance = std::clamp(target_ / 3, kNarrowest, options.tolerance);
+    options.tolerance = tolerance();
     options.careful = option("careful") != 0;
     options.step_limit = static_cast<std::int64_t>(option("step_limit"));
     if (const std::vector<Level> levels = whole(); !levels.empty()) {
@@ -246,10 +250,9 @@ class StrengthReductionJob final : public SliceJob {
     result_.status = now_.status, result_.reason = now_.reason;
     if (now_.status == "ENERGY_UNBALANCED") outcome_ = Status::kNotConverged;
     if (!stop_.empty()) result_.reason += "; " + stop_;
-    if (result_.srf_unstable - result_.srf_stable > option("srf_tolerance") * (1 + 1e-9))
-      result_.reason +=
-          "; inside the bracket neither equilibrium nor steady failure showed, so that it is wider than " +
-          number_text(option("srf_tolerance"));
+    if (result_.srf_unstable - result_.srf_stable > tolerance() * (1 + 1e-9))
+      result_.reason += "; inside the bracket neither equilibrium nor steady failure showed: it is wider than " +
+                        number_text(tolerance(), 3);
     constexpr double kWide = 0.1, kUseless = 0.2;
     const double share = result_.error_estimate / result_.factor_of_safety;
     if (levels.size() > 1 && share > kWide)

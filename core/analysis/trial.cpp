@@ -37,7 +37,7 @@ bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& la
   const auto hardening = hardening_in(history);
   if (!hardening) return false;
   trial.hardening = trial.strength_reduction_factor * hardening->rise;
-  return hardening->power_ratio + hardening->rise < 1 - rules_.drive;
+  return hardening->power_ratio + std::max(0.0, hardening->rise) < 1 - rules_.drive;
 }
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {
@@ -66,7 +66,7 @@ Slices TrialRun::run(Trial& trial, Progress& progress) {
     at_rest = r.unbalanced_force_ratio < rules_.equilibrium ? at_rest + 1 : 0;
     if (at_rest >= rules_.equilibrium_windows) {
       trial.verdict = Verdict::kStable;
-      trial.unbalanced_force_slope = trial.displacement_growth = trial.unsteadiness = 0;
+      trial.unbalanced_force_slope = trial.displacement_growth = trial.unsteadiness = trial.hardening = 0;
       trial.power_ratio = kNone;  // nothing flows
       co_return;
     }
@@ -82,8 +82,8 @@ Slices TrialRun::run(Trial& trial, Progress& progress) {
       }
       before = instant(simulation_), band_due = trial.steps + response_;
     }
-    const bool steady_on = trial.steps >= 2 * response_ && r.since_restart >= response_ / 2;
-    if (steady_on && std::fabs(1 - r.power_ratio) < rules_.balanced) co_return;
+    const bool creeps = at_rest == 0 && !before && trial.steps >= 2 * response_ && r.since_restart >= response_ / 2;
+    if (creeps && std::fabs(1 - r.power_ratio) < rules_.balanced) co_return;
     if (trial.steps >= limit) co_return;  // undecided: a step limit is never a verdict
     co_yield Pause{};
   }

@@ -63,7 +63,7 @@ TEST(Trial, FlowTooSlowForABriefLookFailsOnALongOne) {
 }
 
 TEST(Trial, UntouchedSoilThatRestsInTheEndHasNotFailedOnItsWay) {
-  // a little below its factor of safety it creeps for thirty response times, R on a plateau, while F_e rises to F
+  // a little below its factor of safety it creeps on a plateau of R while F_e rises to F
   for (const double below : {0.007, 0.0045, 0.002}) {
     const auto simulation = Simulation::compile(test::slope(test::soil("mohr_coulomb", 10e3, 20), 1), {});
     test::load_by_gravity(*simulation, 1e-6);
@@ -72,6 +72,22 @@ TEST(Trial, UntouchedSoilThatRestsInTheEndHasNotFailedOnItsWay) {
     const Trial t = tried(*simulation, kBalances - below, rules);
     EXPECT_EQ(t.verdict, Verdict::kStable) << below;
     EXPECT_GT(t.steps, 20 * kResponse) << below;
+  }
+}
+
+TEST(Trial, FlowThatAllButBalancesIsLeftAtOnceWhereAnotherFactorWouldDo) {
+  const auto simulation = flowing();
+  const auto flow = simulation->save();
+  TrialRules brief;
+  brief.balanced = 0.001;  // F_e lies 0.0005 below F
+  const Trial left = tried(*simulation, kBalances + 0.0005, brief);
+  EXPECT_EQ(left.verdict, Verdict::kUndecided);
+  EXPECT_GE(left.steps, 2 * kResponse);
+  EXPECT_LT(left.steps, brief.patience * kResponse);
+  EXPECT_NEAR(left.power_ratio, left.strength_reduction_factor, brief.balanced * kBalances);
+  for (const double beside : {0.01, -0.01}) {  // further away it takes nothing from a verdict
+    simulation->restore(*flow);
+    EXPECT_EQ(tried(*simulation, kBalances + beside, brief).verdict, beside > 0 ? Verdict::kFailed : Verdict::kStable);
   }
 }
 

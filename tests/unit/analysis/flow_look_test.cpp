@@ -128,6 +128,17 @@ TEST(Hardening, SeesNoneInASteadyFlowThatTrembles) {
   EXPECT_NEAR(seen.rise, 0, 2e-4);
 }
 
+TEST(Hardening, IsReadOfTheFlowNotOfTheHaltsInBetween) {
+  std::vector<Window> jerky = hardening_flow(0.004, 1);
+  for (std::size_t k = 4; k < jerky.size(); k += 5) jerky[k].external_power = 1e-9, jerky[k].power_ratio = 2;
+  const Hardening seen = hardening_in(jerky).value();
+  EXPECT_NEAR(seen.power_ratio + seen.rise, 0.99 + 0.004 * std::log(2), 2e-4);
+}
+
+TEST(Hardening, IsNegativeInSoilThatSoftens) {
+  EXPECT_LT(hardening_in(hardening_flow(-0.004, 1)).value().rise, -0.002);
+}
+
 TEST(Hardening, HasNothingToReadWhereNothingMoves) {
   const auto still = [](int n) {
     Window w = steady(n);
@@ -135,6 +146,12 @@ TEST(Hardening, HasNothingToReadWhereNothingMoves) {
     return w;
   };
   EXPECT_FALSE(hardening_in(flow_of(still)));
+  const auto back = [](int n) {
+    Window w = steady(n);
+    w.displacement = kElastic * (1 - 0.001 * n);
+    return w;
+  };
+  EXPECT_FALSE(hardening_in(flow_of(back)));
   EXPECT_FALSE(hardening_in(flow_of(steady, 1)));
 }
 

@@ -169,10 +169,9 @@ TEST(FactorOfSafety, BracketIsWiderWhereTheSlopeAllButBalancesAndSaysSo) {
   EXPECT_GT(wide, asked);
   EXPECT_LE(wide, 2 * asked);
   EXPECT_NE(impatient.reason.find("wider than 0.005"), std::string::npos) << impatient.reason;
-  EXPECT_GE(impatient.error_estimate, wide / 2);
   EXPECT_LE(patient.srf_unstable - patient.srf_stable, asked);
   EXPECT_EQ(patient.reason.find("wider"), std::string::npos) << patient.reason;
-  EXPECT_LE(impatient.srf_stable, patient.srf_stable);  // and both ends of it are true
+  EXPECT_LE(impatient.srf_stable, patient.srf_stable);  // and the narrow bracket lies within
   EXPECT_GE(impatient.srf_unstable, patient.srf_unstable);
 }
 
