@@ -5,6 +5,17 @@
 
 namespace vbgpd {
 
+namespace {
+
+/// F_e weighs as much as the flow: where the momentum has just restarted next to nothing moves, and it means nothing.
+struct FlowMean {
+  double sum = 0, weight = 0;
+  void add(const Window& w, double what) { sum += w.external_power * what, weight += w.external_power; }
+  double value() const { return sum / weight; }
+};
+
+}  // namespace
+
 std::optional<Flow> flow_in(std::span<const Window> history, const Look& look, const TrialRules& rules,
                             std::int64_t response_steps, double elastic_displacement) {
   const auto span =
@@ -18,14 +29,13 @@ std::optional<Flow> flow_in(std::span<const Window> history, const Look& look, c
     for (std::size_t k = history.size() - from; k < history.size() - to; ++k) sum += history[k].*what;
     return sum / static_cast<double>(from - to);
   };
-  // F_e weighs as much as the flow: where the momentum has just restarted next to nothing moves, and it means nothing
   const auto flowing = [&](std::size_t from, std::size_t to, const auto& what) {
-    double sum = 0, weight = 0;
+    FlowMean m;
     for (std::size_t k = to; k < from; ++k) {
       const Window& w = history[history.size() - 1 - k];
-      sum += w.external_power * what(w, k), weight += w.external_power;
+      m.add(w, what(w, k));
     }
-    return sum / weight;
+    return m.value();
   };
   const auto power_ratio = [](const Window& w, std::size_t) { return w.power_ratio; };
   const double earlier = mean(span, span / 2, &Window::ratio), later = mean(span / 2, 0, &Window::ratio);
@@ -52,16 +62,14 @@ std::optional<Hardening> hardening_in(std::span<const Window> history) {
   const double start = history.front().displacement, moved = history.back().displacement - start;
   if (!(moved > 0)) return std::nullopt;
   constexpr double kFrom = 0.5, kHalf = 0.75;  // shares of the displacement: two parts with middles of 5/8 and 7/8
-  double sum[2] = {0, 0}, weight[2] = {0, 0};
+  FlowMean earlier, later;
   for (const Window& w : history) {
     const double share = (w.displacement - start) / moved;
-    if (!(share >= kFrom)) continue;
-    const int part = share < kHalf ? 0 : 1;
-    sum[part] += w.external_power * w.power_ratio, weight[part] += w.external_power;
+    if (share >= kFrom) (share < kHalf ? earlier : later).add(w, w.power_ratio);
   }
-  if (!(weight[0] > 0 && weight[1] > 0)) return std::nullopt;
-  const double earlier = sum[0] / weight[0], later = sum[1] / weight[1];
-  return Hardening{later, (later - earlier) * std::log(16.0 / 7) / std::log(7.0 / 5)};
+  if (!(earlier.weight > 0 && later.weight > 0)) return std::nullopt;
+  const double rise = later.value() - earlier.value();
+  return Hardening{later.value(), rise * std::log(16.0 / 7) / std::log(7.0 / 5)};
 }
 
 }  // namespace vbgpd

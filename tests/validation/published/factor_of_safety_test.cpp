@@ -154,15 +154,18 @@ TEST(FactorOfSafety, IsNotDecidedByAStepLimit) {
   EXPECT_NE(job->result().reason.find("20 steps"), std::string::npos) << job->result().reason;
 }
 
+/// By plain bisection on one grid; step_limit: of a trial, 0 = the usual one.
+JobResult solve_carefully(const SceneDef& s, int step_limit = 0) {
+  const auto simulation = Simulation::compile(s, {});
+  const auto job = make_strength_reduction(*simulation);
+  job->set("levels", 1), job->set("careful", 1), job->set("step_limit", step_limit);
+  job->run(0, {});
+  return job->result();
+}
+
 TEST(FactorOfSafety, BracketIsWiderWhereTheSlopeAllButBalancesAndSaysSo) {
-  const auto careful = [](int step_limit) {
-    const auto simulation = Simulation::compile(test::slope(test::soil("mohr_coulomb", 10e3, 20), 1), {});
-    const auto job = make_strength_reduction(*simulation);
-    job->set("levels", 1), job->set("careful", 1), job->set("step_limit", step_limit);
-    job->run(0, {});
-    return job->result();
-  };
-  const JobResult impatient = careful(4000), patient = careful(0);
+  const SceneDef s = test::slope(test::soil("mohr_coulomb", 10e3, 20), 1);
+  const JobResult impatient = solve_carefully(s, 4000), patient = solve_carefully(s);
   const double asked = 0.005 + 1e-9, wide = impatient.srf_unstable - impatient.srf_stable;
   ASSERT_EQ(impatient.status, "OK") << impatient.reason;
   ASSERT_EQ(patient.status, "OK") << patient.reason;
@@ -198,12 +201,8 @@ TEST(FactorOfSafety, ComesWithTheEvidenceOfBothEnds) {
 TEST(FactorOfSafety, AgreesBetweenTheFastAndTheCarefulSearch) {
   for (const char* name : {"gl_1", "gl_5_l0", "slope_60"}) {
     const SceneDef s = sample_scene(name);
-    const auto simulation = Simulation::compile(s, {});
-    const auto careful = make_strength_reduction(*simulation);
-    careful->set("levels", 1), careful->set("careful", 1);
-    careful->run(0, {});
     const double fast = solve(s, 1).factor_of_safety;
-    EXPECT_NEAR(fast, careful->result().factor_of_safety, 0.003 * fast) << name;
+    EXPECT_NEAR(fast, solve_carefully(s).factor_of_safety, 0.003 * fast) << name;
   }
 }
 
