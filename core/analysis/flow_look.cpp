@@ -51,10 +51,10 @@ std::optional<Flow> flow_in(std::span<const Window> history, const Look& look, c
   flow.slope = earlier > 0 && later > 0 ? 2 * std::log(later / earlier) : 0;
   flow.growth = elastic_displacement > 0 ? (now.displacement - then.displacement) / elastic_displacement : 0;
   flow.unsteadiness = std::sqrt(flowing(span, 0, square));
-  const bool plateau = flow.slope > rules.plateau_slope && now.ratio > rules.plateau_level * rules.equilibrium;
-  const bool grows =
-      flow.growth > look.growth && now.displacement - half.displacement >= half.displacement - then.displacement;
-  flow.fails = plateau && grows && power + look.catching_up * hardening < 1;
+  const bool flows = flow.growth > look.growth && now.ratio > rules.plateau_level * rules.equilibrium;
+  const bool plateau = flow.slope > rules.plateau_slope;
+  const bool lasts = now.displacement - half.displacement >= half.displacement - then.displacement;
+  flow.fails = flows && (look.far ? power < 1 : plateau && lasts && power + look.catching_up * hardening < 1);
   return flow;
 }
 

@@ -17,6 +17,7 @@ struct TrialRules {
       0.02;  ///< failed: u_max grew by this share of its elastic value over a response time, not slower than before
   double drive = 0;             ///< failed: F_e = F (internal power / external power) lies below F by this share of it
   double catching_up = 8;       ///< ... and would not have risen to it in so many response times at its present rate
+  double far = 24;              ///< ... or has come to this displacement level: then it need not last
   int long_look = 12;           ///< response times over which the same growth tells a slow flow from creep to rest
   double balanced = 0;          ///< undecided at once where the flow would balance at the factor tried to within this
   int patience = 30;            ///< undecided after so many response times, or ...
@@ -34,10 +35,12 @@ struct Window {
 };
 
 /// Over how many response times a flow is looked at, what it has to grow by meanwhile, and how many response times it
-/// has to catch up with the factor tried.
+/// has to catch up with the factor tried; `far`: it has moved so far that whether it would come to rest in the end no
+/// longer counts.
 struct Look {
   int times;
   double growth, catching_up;
+  bool far = false;
 };
 
 /// What a look shows: change of ln R, growth of the displacement over its elastic value, RMS by which the power ratio

@@ -248,7 +248,8 @@ Slices GridSearch::overshoot(double& factor) {
       read_hardening();
       co_return;
     }
-    if (looked >= look) {
+    const bool far = level > rules.far;
+    if (looked >= look || far) {
       if (r.unbalanced_force_ratio < kStands && r.unbalanced_force_ratio < 0.5 * unbalanced &&
           estimate > (1 - kFall) * factor && factor < options_.srf_max) {
         raise(1.2);
@@ -258,8 +259,8 @@ Slices GridSearch::overshoot(double& factor) {
       if (estimate > best) best = estimate, best_state = simulation_.save(), falls = 0;
       else if (estimate < (1 - kFall) * best) ++falls;
       // F_e past its peak: a skin has run away or the section has softened; the flow at the peak is the one to follow.
-      // F_e still creeping up: soil that hardens slowly (undrained) is read at the level of any other
-      if (falls >= 2 || level > 2 * kLevel) {
+      // F_e still creeping up: soil that hardens slowly (undrained) is read where hardening no longer counts
+      if (falls >= 2 || far) {
         if (best_state == nullptr || !(best < factor)) co_return;  // the careful way decides
         flow_ = fresh_flow_ = best;
         read_hardening();

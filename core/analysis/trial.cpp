@@ -24,10 +24,11 @@ double Stopwatch::cpu() const { return cpu_now() - cpu_; }
 bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& last, Trial& trial) const {
   const bool jerky = last.since_restart < std::min(3 * response_, trial.steps);
   const int times = jerky ? 3 : 1, many = rules_.long_look;
+  const bool far = trial.displacement_level > rules_.far;
   const auto seen = [&](const Look& look) { return flow_in(history, look, rules_, response_, elastic_); };
-  std::optional<Flow> flow = seen({times, times * rules_.growth, rules_.catching_up});
+  std::optional<Flow> flow = seen({times, times * rules_.growth, rules_.catching_up, far});
   if (!flow || !flow->fails) {
-    const auto slow = seen({many, rules_.growth, std::max(rules_.catching_up, 2.0 * many)});
+    const auto slow = seen({many, rules_.growth, std::max(rules_.catching_up, 2.0 * many), far});
     if (slow && slow->fails) flow = slow;
   }
   if (!flow) return false;
@@ -37,7 +38,8 @@ bool TrialRun::failing(const std::vector<Window>& history, const RelaxReport& la
   const auto hardening = hardening_in(history);
   if (!hardening) return false;
   trial.hardening = trial.strength_reduction_factor * hardening->rise;
-  return hardening->power_ratio + std::max(0.0, hardening->rise) < 1 - rules_.drive;
+  const double to_come = far ? 0 : std::max(0.0, hardening->rise);
+  return hardening->power_ratio + to_come < 1 - rules_.drive;
 }
 
 Slices TrialRun::run(Trial& trial, Progress& progress) {

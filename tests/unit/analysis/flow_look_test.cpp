@@ -82,6 +82,25 @@ TEST(FlowLook, WhatHardensTowardsTheFactorDoesNotFail) {
   EXPECT_NEAR(seen(flow_of(hardening(0.0015))).unsteadiness, 0, 1e-3);
 }
 
+TEST(FlowLook, FarFlowNeedNotLastButMustFlow) {
+  const Look far{1, kRules.growth, kRules.catching_up, true};
+  const auto fails = [&](void (*change)(int, Window&)) {
+    return seen(flow_of([&](int n) {
+                  Window w = steady(n);
+                  change(n, w);
+                  return w;
+                }),
+                far)
+        .fails;
+  };
+  EXPECT_TRUE(fails([](int n, Window& w) { w.ratio *= std::exp(-0.2 * n * kWindow / kResponse); }));  // dying
+  EXPECT_TRUE(fails([](int n, Window& w) { w.displacement = kElastic * (1 + std::sqrt(n)); }));       // slowing down
+  EXPECT_TRUE(fails([](int n, Window& w) { w.power_ratio = 0.99 + 0.0015 * (n - 54.5) * kWindow / kResponse; }));
+  EXPECT_FALSE(fails([](int, Window& w) { w.ratio = 2 * kRules.equilibrium; }));  // all but at rest
+  EXPECT_FALSE(fails([](int, Window& w) { w.displacement = kElastic; }));         // does not move
+  EXPECT_FALSE(fails([](int, Window& w) { w.power_ratio = 1.001; }));             // would be held
+}
+
 TEST(FlowLook, WhatIsReadAsTheMomentumRestartsCountsForNothing) {
   const auto restarting = [](int n) {
     Window w = steady(n);
