@@ -10,7 +10,7 @@ namespace vbgpd {
 
 namespace {
 
-constexpr std::size_t kNearest = 8;
+constexpr std::size_t kNearest = 8, kMost = 512;
 
 /// A bucket for about two nodes.
 double bucket_size(const std::vector<Point>& nodes) {
@@ -37,31 +37,38 @@ void Scattered::at(double x, double y, double* out) const {
     std::size_t node;
     bool operator<(const Near& o) const { return d2 != o.d2 ? d2 < o.d2 : node < o.node; }
   };
-  const std::size_t want = std::min(kNearest, nodes_.size());
   std::vector<Near> found;
-  for (double reach = buckets_.size();; reach *= 2) {
-    found.clear();
-    std::size_t within = 0;  // nodes nearer than the reach: no other node is nearer
-    buckets_.near(x, y, reach, [&](std::size_t k) {
-      const double dx = nodes_[k].x - x, dy = nodes_[k].y - y, d2 = dx * dx + dy * dy;
-      found.push_back({d2, k});
-      if (d2 <= reach * reach) ++within;
-    });
-    if (within >= want || found.size() == nodes_.size()) break;
-  }
-  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(want), found.end());
+  const auto find = [&](std::size_t want) {
+    for (double reach = buckets_.size();; reach *= 2) {
+      found.clear();
+      std::size_t within = 0;  // nodes nearer than the reach: no other node is nearer
+      buckets_.near(x, y, reach, [&](std::size_t k) {
+        const double dx = nodes_[k].x - x, dy = nodes_[k].y - y, d2 = dx * dx + dy * dy;
+        found.push_back({d2, k});
+        if (d2 <= reach * reach) ++within;
+      });
+      if (within >= want || found.size() == nodes_.size()) break;
+    }
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(want), found.end());
+  };
   const auto value = [&](std::size_t k) { return values_.data() + k * static_cast<std::size_t>(components_); };
-  const double scale = std::sqrt(found[want - 1].d2);
-  if (scale == 0 || found[0].d2 == 0) {
-    std::copy_n(value(found[0].node), components_, out);
+  const std::size_t most = std::min(kMost, nodes_.size());
+  for (std::size_t want = std::min(kNearest, most);; want = std::min(4 * want, most)) {
+    find(want);
+    const double scale = std::sqrt(found[want - 1].d2);
+    if (scale == 0 || found[0].d2 == 0) {
+      std::copy_n(value(found[0].node), components_, out);
+      return;
+    }
+    LinearFit fit;
+    for (std::size_t k = 0; k < want; ++k) {
+      const Point& p = nodes_[found[k].node];
+      fit.add(scale * scale / found[k].d2, (p.x - x) / scale, (p.y - y) / scale, value(found[k].node), components_);
+    }
+    if (!fit.spans() && want < most) continue;
+    fit.value(out, components_);
     return;
   }
-  LinearFit fit;
-  for (std::size_t k = 0; k < want; ++k) {
-    const Point& p = nodes_[found[k].node];
-    fit.add(scale * scale / found[k].d2, (p.x - x) / scale, (p.y - y) / scale, value(found[k].node), components_);
-  }
-  fit.value(out, components_);
 }
 
 double Raster::at(double x, double y) const {

@@ -9,7 +9,8 @@
 namespace vbgpd {
 
 /// Goes through the nodes and reproduces linear fields exactly, also a little beyond the outermost nodes: a plane
-/// through the eight nearest nodes, weighted by 1/d^2.
+/// through the eight nearest nodes, weighted by 1/d^2, or through as many more as it takes to span one (up to 512:
+/// beyond that, as along a single borehole, a straight line; across it nothing is known).
 class Scattered {
  public:
   /// `values` holds `components` numbers per node; there is at least one node.

@@ -99,9 +99,9 @@ static void sampling_is_exact_for_linear_fields(const vbgpd_model* model) {
     CHECK(fabs(grid[2 * i] - (double)(1 + 3 * (i % 4))) < 1e-9 &&
           fabs(grid[2 * i + 1] - (double)(2 + 4 * (i / 4))) < 1e-9);
   }
-  for (i = 0; i < 12; ++i) wide[i] = 7;
+  for (i = 0; i < 12; ++i) wide[i] = -77;
   CHECK_OK(vbgpd_model_sample_points(model, field, xy, 16, 2, wide, 48, 16, NULL, 0));
-  for (i = 0; i < 12; ++i) CHECK((wide[i] != 7) == (i == 0 || i == 2 || i == 6 || i == 8));
+  for (i = 0; i < 12; ++i) CHECK((wide[i] != -77) == (i == 0 || i == 2 || i == 6 || i == 8));
   CHECK_STATUS(VBGPD_E_ARGUMENT, vbgpd_model_sample_points(model, field, xy, 16, 2, wide, 4, 4, NULL, 0));
   CHECK_STATUS(VBGPD_E_ARGUMENT,
                vbgpd_model_sample_points(model, field_of("material"), xy, 16, 1, wide, 0, 0, NULL, 0));

@@ -44,11 +44,38 @@ TEST(Scattered, GoesThroughItsNodes) {
   }
 }
 
-TEST(Scattered, TakesTheMeanWhereNodesLieOnALine) {
-  const Scattered field({{0, 0}, {1, 0}}, {2, 4}, 1);
+TEST(Scattered, ReproducesLinearFieldsOnStretchedMeshes) {
+  for (const double wide : {1.0, 5.0, 25.0})
+    for (const bool upright : {false, true}) {
+      std::vector<Point> places;
+      for (int i = 0; i < 5; ++i)
+        for (int j = 0; j < 60; ++j) {
+          const double a = 0.5 * wide * i, b = 0.5 * j;
+          places.push_back(upright ? Point{a, b} : Point{b, a});
+        }
+      const Scattered field = of(places, plane);
+      for (const double at : {0.3, 1.1, 5.7}) {
+        double v = 0;
+        field.at(at, at + 0.2, &v);
+        EXPECT_NEAR(v, plane(at, at + 0.2), 1e-9) << "cells of 0.5 m x " << 0.5 * wide << " m, at " << at;
+      }
+    }
+}
+
+TEST(Scattered, GoesOnAlongALineOfNodesAndKnowsNothingAcross) {
+  const Scattered pair({{0, 0}, {1, 0}}, {2, 4}, 1);
   double v = 0;
-  field.at(0.5, 3, &v);
-  EXPECT_NEAR(v, 3, 1e-12);
+  for (const double x : {0.5, 0.25, 1.5}) {
+    pair.at(x, 3, &v);
+    EXPECT_NEAR(v, 2 + 2 * x, 1e-12);
+  }
+  std::vector<Point> borehole;
+  for (int k = 0; k < 700; ++k) borehole.push_back({4 + 0.03 * k, 10 - 0.04 * k});  // inclined
+  const Scattered field = of(borehole, plane);
+  for (const double off : {0.0, 0.7, -3.0}) {
+    field.at(4 + 0.3 + 0.8 * off, 10 - 0.4 + 0.6 * off, &v);
+    EXPECT_NEAR(v, plane(4.3, 9.6), 1e-9) << off << " m beside it";
+  }
   const Scattered single({{7, 7}}, {5}, 1);
   single.at(-1e6, 1e6, &v);
   EXPECT_EQ(v, 5);
