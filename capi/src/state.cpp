@@ -82,7 +82,9 @@ vbgpd_status vbgpd_model_create_from_checkpoint(vbgpd_context* context, const vo
     } catch (const Error& error) {
       Issue issue = error.issue();
       const bool too_many_bytes = issue.object == ObjectKind::kContext;
-      if (issue.status == Status::kLimit && !too_many_bytes) issue.status = Status::kFormat;
+      const bool of_the_bytes = issue.status != Status::kMemory && issue.status != Status::kVersion &&
+                                issue.status != Status::kUnsupported && !too_many_bytes;
+      if (of_the_bytes) issue.status = Status::kFormat;
       throw ArgumentError(2, issue);
     }
     model->engine->events.forget(*model->engine->simulation);

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "checkpoint_generated.h"
-#include "exchange/limits.h"
+#include "scene/limits.h"
 #include "exchange/scene_buffer.h"
 
 namespace vbgpd {

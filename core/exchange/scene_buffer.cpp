@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "exchange/limits.h"
+#include "scene/limits.h"
 #include "scene/wording.h"
 #include "vbgpd_generated.h"
 

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "exchange/json_check.h"
-#include "exchange/limits.h"
+#include "scene/limits.h"
 #include "schema_text.h"
 
 namespace vbgpd {

@@ -1,7 +1,7 @@
 #include "exchange/snapshot.h"
 
 #include "base/error.h"
-#include "exchange/limits.h"
+#include "scene/limits.h"
 #include "snapshot_generated.h"
 
 namespace vbgpd {

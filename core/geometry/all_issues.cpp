@@ -2,6 +2,8 @@
 #include <iterator>
 
 #include "geometry/check.h"
+#include "geometry/polygon.h"
+#include "geometry/section.h"
 #include "geometry/thickness.h"
 #include "scene/validate.h"
 #include "scene/wording.h"
@@ -31,6 +33,18 @@ void warn_of_thin_soils(const SceneDef& scene, std::vector<Issue>& issues) {
   }
 }
 
+void warn_of_unused_soils(const SceneDef& scene, std::vector<Issue>& issues) {
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const auto uses = [&](const LayerDef& layer) { return layer.material == scene.materials[m].name; };
+    if (std::any_of(scene.layers.begin(), scene.layers.end(), uses)) continue;
+    Issue issue;
+    issue.severity = Severity::kWarning, issue.status = Status::kOk, issue.object = ObjectKind::kMaterial;
+    issue.object_id = static_cast<std::int64_t>(m);
+    issue.text = "materials[" + std::to_string(m) + "] '" + scene.materials[m].name + "': no layer is of this soil";
+    issues.push_back(std::move(issue));
+  }
+}
+
 }  // namespace
 
 std::vector<Issue> all_issues(const SceneDef& scene) {
@@ -41,8 +55,14 @@ std::vector<Issue> all_issues(const SceneDef& scene) {
     const bool known = std::any_of(issues.begin(), end, [&](const Issue& i) { return same_place(i, shape); });
     if (!known) issues.push_back(std::move(shape));
   }
-  if (std::none_of(issues.begin(), issues.end(), [](const Issue& i) { return i.severity == Severity::kError; }))
+  if (has_error(issues)) return issues;
+  try {
+    require_spacing(scene.spacing, box_of(counter_clockwise(scene.exterior)).size());
+    warn_of_unused_soils(scene, issues);
     warn_of_thin_soils(scene, issues);
+  } catch (const Error& error) {
+    issues.push_back(error.issue());
+  }
   return issues;
 }
 

@@ -185,7 +185,9 @@ Vec2 best_pair(const std::vector<Candidate>& xs, const std::vector<Candidate>& y
   throw Error(Issue{.status = status, .object = ObjectKind::kProfile, .value = value, .text = text});
 }
 
-void check_spacing(Real spacing, const Vec2& size) {
+}  // namespace
+
+void require_spacing(Real spacing, const Vec2& size) {
   const std::string said = "spacing = " + number(spacing) + " m ";
   if (!(spacing > 0) || !std::isfinite(spacing))
     fail(Status::kRange, spacing, said + "must be a finite length above 0");
@@ -201,8 +203,6 @@ void check_spacing(Real spacing, const Vec2& size) {
              number(size.y()) + " m high; at most " + number(kMostCells) + " are possible: use a larger spacing");
 }
 
-}  // namespace
-
 Lattice fit_lattice(const SceneDef& scene, Real spacing, int multiple) {
   if (multiple < 1)
     throw Error(Status::kArgument, "the lattice multiple is " + std::to_string(multiple) + "; it must be at least 1");
@@ -212,7 +212,7 @@ Lattice fit_lattice(const SceneDef& scene, Real spacing, int multiple) {
   if (exterior.size() < 3 || !(size.minCoeff() > 0) || !size.allFinite())
     fail(Status::kGeometry, kNone,
          "the exterior of the profile encloses no area; it needs at least 3 vertices that do");
-  check_spacing(spacing, size);
+  require_spacing(spacing, size);
   const KeyLines lines = key_lines(scene, exterior, origin);
   const Real asked = spacing * multiple;
   const Vec2 coarse = best_pair(candidates_x(lines, asked), candidates_y(lines, asked));

@@ -67,6 +67,9 @@ struct Section {
 /// one asked.
 Lattice fit_lattice(const SceneDef& scene, Real spacing, int multiple);
 
+/// Throws Error(kRange | kLimit) unless a lattice of that spacing suits a section of that width and height, m.
+void require_spacing(Real spacing, const Vec2& size);
+
 /// The same lattice with cells `factor` times larger.
 Lattice coarsened(const Lattice& lattice, int factor);
 

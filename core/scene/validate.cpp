@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/types.h"
+#include "scene/limits.h"
 #include "scene/properties.h"
 #include "scene/quantity.h"
 #include "scene/wording.h"
@@ -82,6 +83,29 @@ std::string range_hint(const Property& p, double v) {
   if (name == "poisson_ratio" && v >= 0.5) return "; use 0.49 for undrained soil";
   if (name == "kh" || name == "kv") return "; it is a fraction of the weight";
   return {};
+}
+
+/// Text that a file of the scene could not hold (limits.h).
+void check_text(const std::string& text, const char* field, Report& report) {
+  if (text.size() > kMaxTextBytes)
+    report.error(Status::kRange,
+                 std::string(field) + " has " + std::to_string(text.size()) + " bytes of text: at most " +
+                     std::to_string(kMaxTextBytes) + " are accepted",
+                 static_cast<double>(text.size()));
+  const auto control = std::find_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t'; });
+  if (control != text.end())
+    report.error(Status::kArgument, std::string(field) + " holds a control character at byte " +
+                                        std::to_string(control - text.begin()) + ": names are plain text");
+}
+
+void check_count(std::size_t count, const char* list, Report& report) {
+  if (count <= kMaxObjects) return;
+  report.about(ObjectKind::kProfile, -1, list);
+  report.error(
+      Status::kRange,
+      "the list has " + std::to_string(count) + " entries: at most " + std::to_string(kMaxObjects) + " are accepted",
+      static_cast<double>(count));
 }
 
 /// Missing, not finite or out of range: everything the property table says about one object.
@@ -161,17 +185,29 @@ void check_plausible(const MaterialDef& m, Report& report) {
          kilo ? "is less than any soil weighs: " + usual(15000, 25000, "N m-3")
               : "looks like " + number_text(m.unit_weight) + " kN/m3: with units SI write " +
                     number_text(1000 * m.unit_weight) + ", or set units to kPa");
-  if (m.unit_weight >= 1e6 && kilo)
+  if (kilo && m.unit_weight >= 1e6 && m.unit_weight < 5e6)
+    warn("unit_weight", m.unit_weight, "N m-3",
+         "looks like a density of " + number_text(m.unit_weight / 1000) + " kg/m3: with units kPa write the weight, " +
+             number_text(m.unit_weight * 9.81e-6, 3) + " kN/m3");
+  else if (kilo && m.unit_weight >= 5e6)
     warn("unit_weight", m.unit_weight, "N m-3",
          "looks like " + number_text(m.unit_weight / 1000) + " N/m3: with units kPa write " +
              number_text(m.unit_weight / 1e6) + ", or set units to SI");
+  else if (m.unit_weight >= 1000 && m.unit_weight < 5000)
+    warn("unit_weight", m.unit_weight, "N m-3",
+         "is less than any soil weighs: " + usual(15000, 25000, "N m-3") + "; if a density of " +
+             number_text(kilo ? m.unit_weight / 1000 : m.unit_weight) + (kilo ? " t/m3" : " kg/m3") +
+             " is meant, write the weight, " + quantity_text(m.unit_weight * 9.81, "N m-3", units, 3));
   else if (m.unit_weight > 50000)
     warn("unit_weight", m.unit_weight, "N m-3", "is more than any soil weighs: " + usual(15000, 25000, "N m-3"));
+  if (m.saturated_unit_weight < m.unit_weight)
+    warn("saturated_unit_weight", m.saturated_unit_weight, "N m-3",
+         "is less than unit_weight: soil full of water is no lighter");
   check_friction_angle(m.friction_angle, "soil", report);
-  if (m.cohesion > 1e7)
+  if (m.cohesion > 2e6)
     warn("cohesion", m.cohesion, "Pa",
-         kilo ? "is that of concrete; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI"
-              : "is that of concrete");
+         kilo ? "is that of rock; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI"
+              : "is that of rock");
   if (m.cohesion >= 1 && m.cohesion < 200 && !kilo)
     warn("cohesion", m.cohesion, "Pa",
          "is next to nothing; if " + number_text(m.cohesion) + " kPa are meant, write " +
@@ -229,6 +265,7 @@ void check_materials(const SceneDef& scene, Report& report) {
     if (const auto [at, fresh] = first_of_name.emplace(m.name, i); !fresh && !m.name.empty())
       report.error(Status::kArgument,
                    "the name is already that of materials[" + std::to_string(at->second) + "]: names must differ");
+    check_text(m.name, "name", report);
     report.name("law", m.law, kLaws);
     check_numbers(scene, ObjectKind::kMaterial, id, report);
     check_strength(m, report);
@@ -258,6 +295,7 @@ void check_boundaries(const SceneDef& scene, Report& report) {
     const BoundaryDef& b = scene.boundaries[i];
     const auto id = static_cast<std::int64_t>(i);
     report.about(ObjectKind::kBoundary, id, label("boundaries", i, b.name.empty() ? b.side : b.name));
+    check_text(b.name, "name", report);
     if (b.side.empty() && b.polyline.empty())
       report.error(Status::kArgument,
                    "where is missing: give side (" + list_text(kSides) + ") or a polyline along the exterior");
@@ -374,6 +412,8 @@ void check_water(const SceneDef& scene, Report& report) {
 
 void check_settings(const SceneDef& scene, Report& report) {
   report.about(ObjectKind::kProfile, -1, "scene");
+  check_text(scene.name, "name", report);
+  check_text(scene.source, "source", report);
   check_numbers(scene, ObjectKind::kProfile, -1, report);
   report.name("bond", scene.bond, kBonds);
   report.name("kernel", scene.kernel, kKernels);
@@ -389,6 +429,8 @@ void check_published(const SceneDef& scene, Report& report) {
   for (std::size_t i = 0; i < scene.published.size(); ++i) {
     const PublishedValue& value = scene.published[i];
     report.about(ObjectKind::kProfile, -1, label("published", i, value.method));
+    check_text(value.method, "method", report);
+    check_text(value.source, "source", report);
     const bool end_bad = std::isinf(value.factor_of_safety_end);
     if (!std::isfinite(value.factor_of_safety) || end_bad)
       report.error(Status::kRange, std::string(end_bad ? "factor_of_safety_end" : "factor_of_safety") + " = " +
@@ -403,6 +445,10 @@ std::vector<Issue> validate(const SceneDef& scene) {
   Report report(scene.units);
   report.about(ObjectKind::kProfile, -1, "profile");
   check_corners(scene.exterior, "exterior", report);
+  check_count(scene.materials.size(), "materials", report);
+  check_count(scene.layers.size(), "layers", report);
+  check_count(scene.boundaries.size(), "boundaries", report);
+  check_count(scene.loads.size(), "loads", report);
   check_materials(scene, report);
   check_layers(scene, report);
   check_boundaries(scene, report);
