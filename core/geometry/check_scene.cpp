@@ -1,9 +1,11 @@
 #include "geometry/check_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "geometry/format.h"
+#include "geometry/outline.h"
 #include "geometry/paint.h"
 
 namespace vbgpd {
@@ -175,6 +177,60 @@ void check_loads(const SceneDef& scene, std::vector<Issue>& issues) {
                  coordinate(right, extent) + "; x0 and x1 must lie within";
     issues.push_back(issue);
   }
+}
+
+namespace {
+
+/// y of a line of points from left to right at x, held on beyond its ends.
+Real height_at(const std::vector<Point>& line, Real x) {
+  if (x <= line.front().x) return line.front().y;
+  const auto right = std::find_if(line.begin(), line.end(), [&](const Point& p) { return p.x >= x; });
+  if (right == line.end()) return line.back().y;
+  const Point& a = *(right - 1);
+  return a.y + (right->y - a.y) * (x - a.x) / (right->x - a.x);
+}
+
+}  // namespace
+
+void check_standing_water(const SceneDef& scene, std::vector<Issue>& issues) {
+  const std::vector<Point>& table = scene.water_table;
+  if (table.size() < 2) return;
+  for (std::size_t k = 0; k < table.size(); ++k)  // reported with the other numbers
+    if (!std::isfinite(table[k].x) || !std::isfinite(table[k].y) || (k > 0 && !(table[k].x > table[k - 1].x))) return;
+  const Polygon exterior = counter_clockwise(scene.exterior);
+  const Box box = box_of(exterior);
+  std::vector<Point> ground;
+  std::vector<Real> places;
+  for (const std::size_t k : outline_of(local(exterior, box.low)).ground)
+    ground.push_back(exterior[k]), places.push_back(exterior[k].x);
+  for (const Point& p : table)
+    if (p.x > box.low.x() && p.x < box.high.x()) places.push_back(p.x);
+  std::sort(places.begin(), places.end());
+  const auto depth = [&](Real x) { return height_at(table, x) - height_at(ground, x); };
+  const Real tolerated = 0.02 * box.size().y();
+  const auto report = [&](Real from, Real to, Real low, Real high) {
+    if (!(high - low > tolerated)) return;
+    Issue issue = issue_of(Severity::kWarning, ObjectKind::kProfile, 0);
+    issue.object_id = -1, issue.status = Status::kRange, issue.x = from, issue.value = high - low;
+    const Real extent = box.extent();
+    issue.text = "water: the table stands above the ground from x = " + coordinate(from, extent) + " to " +
+                 coordinate(to, extent) + ", between y = " + coordinate(low, extent) + " and " +
+                 coordinate(high, extent) + ": water that stands is level; draw it level there, or below the ground";
+    issues.push_back(issue);
+  };
+  Real from = 0, to = 0, low = 0, high = 0;
+  bool wet = false;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Real x = places[k], level = height_at(table, x);
+    if (!(depth(x) > 0)) {
+      if (wet) report(from, to, low, high);
+      wet = false;
+      continue;
+    }
+    if (!wet) from = x, low = high = level;
+    wet = true, to = x, low = std::min(low, level), high = std::max(high, level);
+  }
+  if (wet) report(from, to, low, high);
 }
 
 }  // namespace vbgpd

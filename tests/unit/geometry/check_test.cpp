@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/polygon.h"
 #include "sections.h"
 
 namespace vbgpd::geometry_test {
@@ -180,6 +181,34 @@ TEST(CheckGeometry, LoadsMustLieOnTheGroundSurface) {
       says(issues[0], "loads[1]: from x = 30.00 to 35.00 is off the ground surface, which spans x = 0.00 to 32.00"))
       << issues[0].text;
   EXPECT_TRUE(says(issues[1], "x0 must be less than x1")) << issues[1].text;
+}
+
+TEST(CheckGeometry, WaterThatStandsIsLevel) {
+  SceneDef scene = scene_of(slope());
+  const Box box = box_of(scene.exterior);
+  const double left = box.low.x(), right = box.high.x(), top = box.high.y(), bottom = box.low.y();
+  for (const double level : {top + 1, (top + bottom) / 2, bottom}) {  // over everything, at the foot, none
+    scene.water_table = {{left, level}, {right, level}};
+    EXPECT_TRUE(check_geometry(scene).empty()) << level;
+  }
+  scene.water_table = {{left, top - 1}, {right, bottom}};  // falls within the soil
+  EXPECT_TRUE(check_geometry(scene).empty());
+  scene.water_table = {{left, top + 1}, {right, top + 4}};
+  const auto issues = check_geometry(scene);
+  ASSERT_EQ(issues.size(), 1u) << all_text(issues);
+  EXPECT_EQ(issues[0].severity, Severity::kWarning);
+  EXPECT_NEAR(issues[0].value, 3, 1e-12);
+  EXPECT_TRUE(says(issues[0], "water that stands is level")) << issues[0].text;
+}
+
+TEST(AllIssues, NameASpacingTooLargeForTheSection) {
+  SceneDef scene = scene_of(slope());
+  scene.materials[0].unit_weight = 20e3, scene.materials[0].cohesion = 1e4;
+  scene.layers.resize(1);
+  scene.spacing = 100;
+  const auto issues = all_issues(scene);
+  ASSERT_FALSE(issues.empty());
+  EXPECT_TRUE(says(issues.back(), "larger than half the section's smaller extent")) << all_text(issues);
 }
 
 TEST(CheckGeometry, ReportsAllFaultsOfASceneAtOnce) {

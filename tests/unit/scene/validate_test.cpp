@@ -257,6 +257,14 @@ TEST(Validate, NamesTheLikelySlipOfUnits) {
       "materials[0] 'clay': unit_weight = 20000 kN/m3 looks like 20000 N/m3: with units kPa write 20, or set units to "
       "SI",
       [](SceneDef& s) { s.materials[0].unit_weight = 2e7, s.units = Units::kKilopascal; });
+  expect_warning(
+      "materials[0] 'clay': unit_weight = 1900 kN/m3 looks like a density of 1900 kg/m3: with units kPa write the "
+      "weight, 18.6 kN/m3",
+      [](SceneDef& s) { s.materials[0].unit_weight = 1.9e6, s.units = Units::kKilopascal; });
+  expect_warning(
+      "materials[0] 'clay': unit_weight = 1.9 kN/m3 is less than any soil weighs: 15 to 25 is usual; if a density of "
+      "1.9 t/m3 is meant, write the weight, 18.6 kN/m3",
+      [](SceneDef& s) { s.materials[0].unit_weight = 1900, s.units = Units::kKilopascal; });
   expect_warning("materials[0] 'clay': unit_weight = 60000 N/m3 is more than any soil weighs: 15000 to 25000 is usual",
                  [](SceneDef& s) { s.materials[0].unit_weight = 60000; });
   expect_warning("materials[0] 'clay': friction_angle = 0.35 degrees looks like radians: 0.35 rad is 20.0535 degrees",
@@ -267,9 +275,9 @@ TEST(Validate, NamesTheLikelySlipOfUnits) {
       "materials[0] 'clay': cohesion = 10 Pa is next to nothing; if 10 kPa are meant, write 10000 Pa or set "
       "units to kPa",
       [](SceneDef& s) { s.materials[0].cohesion = 10; });
-  expect_warning("materials[0] 'clay': cohesion = 20000 kPa is that of concrete; if 20000 Pa is meant, set units to SI",
+  expect_warning("materials[0] 'clay': cohesion = 20000 kPa is that of rock; if 20000 Pa is meant, set units to SI",
                  [](SceneDef& s) { s.materials[0].cohesion = 2e7, s.units = Units::kKilopascal; });
-  expect_warning("materials[0] 'clay': cohesion = 2e+07 Pa is that of concrete",
+  expect_warning("materials[0] 'clay': cohesion = 2e+07 Pa is that of rock",
                  [](SceneDef& s) { s.materials[0].cohesion = 2e7; });
   expect_warning("materials[0] 'clay': young_modulus = 100 Pa is softer than any soil: 1e+06 to 1e+09 is usual",
                  [](SceneDef& s) { s.materials[0].young_modulus = 100; });
