@@ -158,6 +158,9 @@ class RunoutJob final : public SliceJob {
     result_.max_displacement = progress_.max_displacement = simulation_.get("max_displacement");
     result_.displacement_level = simulation_.get("displacement_level");
     result_.unbalanced_force_ratio = progress_.unbalanced_force_ratio;
+    if (!std::isnan(shape.stopped_at))
+      result_.reason += "; the front has come up to the end of the section at x = " + number_text(shape.stopped_at) +
+                        " m: a longer section would let it go farther";
     tell_of_water();
     constexpr Real kBalanced = 0.01;
     if (result_.energy_residual > kBalanced)

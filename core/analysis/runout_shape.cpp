@@ -13,7 +13,8 @@ namespace vbgpd {
 namespace {
 
 constexpr Real kLink = 1.6;  // spacings: particles nearer than that hang together
-constexpr Real kNear = 1.5;  // spacings: what counts as at the toe, at the crest
+constexpr Real kNear = 1.5;  // spacings: what counts as at the toe, at the crest, at the end of the section
+constexpr Real kPit = 2.5;   // spacings: columns that are neighbours, or have one empty between them
 
 struct Soil {
   std::vector<double> now, before, volume, plastic;  ///< of the soil particles
@@ -99,6 +100,17 @@ std::vector<Vec2> free_outline(const Section& section, const SceneDef& scene, in
   return line;
 }
 
+/// Where an upright wall ends the section on that side, m; NaN without one.
+Real wall_at_end(const Section& section, const SceneDef& scene, int way) {
+  const Vec2 origin = section.lattice.origin;
+  const Vertices outline = local(counter_clockwise(scene.exterior), origin);
+  const Box box = box_of(outline);
+  const Real end = way > 0 ? box.high.x() : box.low.x(), same = 1e-9 * box.extent();
+  for (const HeldEdge& e : held_edges(section.boundaries, outline, origin))
+    if (std::fabs(e.a.x() - end) <= same && std::fabs(e.b.x() - end) <= same) return end + origin.x();
+  return kNone;
+}
+
 /// The foot of the slope: the point farthest below the straight line from the highest ground to the end of the free
 /// outline; that end where none is below it.
 Vec2 toe_of(const std::vector<Vec2>& line, int way) {
@@ -143,6 +155,8 @@ RunoutShape runout_shape(const Simulation& simulation) {
     const bool farther = front > shape.runout_distance;
     if (!farther && (front < shape.runout_distance || toe.y() >= lowest)) continue;
     lowest = toe.y(), shape.toe_displacement = at_toe, shape.runout_distance = front;
+    const Real end = wall_at_end(section, simulation.scene(), way);
+    shape.stopped_at = front > 0 && way * (end - toe.x()) - front < kNear * soil.spacing ? end : kNone;
   }
   return shape;
 }
@@ -163,7 +177,12 @@ std::vector<Point> ground_surface(const Simulation& simulation) {
   std::vector<Point> line;
   for (const auto& [column, y] : columns)
     line.push_back({origin + (static_cast<Real>(column) + 0.5) * soil.spacing, y});
-  return line;
+  // stretched soil misses columns: a pit no wider than the particles are apart is none
+  std::vector<Point> filled = line;
+  const auto joined = [&](std::size_t k) { return line[k + 1].x - line[k].x < kPit * soil.spacing; };
+  for (std::size_t k = 1; k + 1 < line.size(); ++k)
+    if (joined(k - 1) && joined(k)) filled[k].y = std::max(line[k].y, std::min(line[k - 1].y, line[k + 1].y));
+  return filled;
 }
 
 }  // namespace vbgpd

@@ -15,6 +15,7 @@ struct RunoutShape {
   Real toe_displacement = 0;  ///< largest way of the soil within one and a half spacings of the toe, m
   /// Front of the connected mass that moved by more than a spacing to that side, beyond the toe, m.
   Real runout_distance = 0;
+  Real stopped_at = kNone;    ///< x of the wall that ends the section, where the front has come up to it, m
   Real moved_area = 0;        ///< soil that moved by more than a spacing, m2
   Real plastic_fraction = 0;  ///< share of the soil that has yielded
 };

@@ -3,15 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "physics/runout_scenes.h"
 
 namespace vbgpd::test {
 namespace {
 
 /// The soil above an elevation set `way` off to the side, all of it.
-RunoutShape pushed(std::vector<Point> exterior, double above, double way) {
+RunoutShape pushed(std::vector<Point> exterior, double above, double way, bool walled = false) {
   SceneDef scene = slope(soil("mohr_coulomb", 10e3, 20), 1);
   scene.exterior = std::move(exterior);
+  if (walled) scene.boundaries.clear();  // the usual ones: base and both sides
   const auto s = runout(scene);
   const std::vector<double> x = field(*s, "position");
   FlowState& state = s->state();
@@ -34,6 +37,23 @@ TEST(RunoutShape, IsMeasuredOnTheSideWhereTheFrontIs) {
 
 TEST(RunoutShape, BeginsAtTheFootOfAFreeFace) {
   EXPECT_NEAR(pushed({{0, 0}, {5, 0}, {5, 10}, {0, 10}}, 0, 2).runout_distance, 2, 0.1);
+}
+
+TEST(RunoutShape, SaysWhenTheFrontHasComeToTheEndOfTheSection) {
+  const std::vector<Point> short_one = {{0, 0}, {36, 0}, {36, 5}, {32, 5}, {12, 15}, {0, 15}};
+  EXPECT_TRUE(std::isnan(pushed(short_one, 5, 2, true).stopped_at));
+  EXPECT_EQ(pushed(short_one, 5, 4.5, true).stopped_at, 36);
+  EXPECT_TRUE(std::isnan(pushed(short_one, 5, 4.5).stopped_at));  // no wall there: the soil goes on
+}
+
+TEST(RunoutShape, GroundOfStretchedSoilHasNoPits) {
+  const auto s = runout(slope(soil("mohr_coulomb", 10e3, 20), 1));
+  FlowState& state = s->state();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(s->particle_count()); ++i) state.motion[4 * i] *= 1.45;
+  const std::vector<Point> ground = ground_surface(*s);
+  ASSERT_GT(ground.size(), 20u);
+  for (std::size_t k = 1; k + 1 < ground.size(); ++k)
+    EXPECT_GE(ground[k].y, std::min(ground[k - 1].y, ground[k + 1].y)) << "at x = " << ground[k].x;
 }
 
 }  // namespace
