@@ -9,7 +9,10 @@ namespace cli {
 
 namespace {
 
-std::string place(Point p) { return "(" + plain_number(p.x, 5) + ", " + plain_number(p.y, 5) + ")"; }
+std::string place(Point p) {
+  const auto number = [](double v) { return plain_number(std::fabs(v) < 1e-6 ? 0 : v, 5); };  // m: no round-off
+  return format("(%s, %s)", number(p.x).c_str(), number(p.y).c_str());
+}
 
 /// How the value came about: by how many grids, with what bracket.
 std::string origin_text(const FosResult& r) {

@@ -36,7 +36,7 @@ picture::Sheet run_sheet(const Scene& scene, const vbgpd_model* model, const Run
   constexpr double kPi = 3.14159265358979323846;
   picture::Sheet sheet = section_sheet(scene);
   const Sample last = result.series.empty() ? Sample{} : result.series.back();
-  sheet.result = format("t = %s s, run-out %s m", plain_number(last.time, 3).c_str(),
+  sheet.result = format("t = %s s, run-out %s m", plain_number(last.time < 1e-6 ? 0 : last.time, 3).c_str(),
                         plain_number(last.runout_distance, 3).c_str());
   sheet.water.clear();
   sheet.loads.clear();  // they moved with the ground; arrows would stand where it was

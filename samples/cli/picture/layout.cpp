@@ -129,6 +129,8 @@ double ground_elevation(const Polyline& exterior, double x) {
 Layout arrange(cairo_t* cr, const Sheet& sheet) {
   Layout l;
   l.world = bounds(sheet.exterior);
+  for (const Point& p : sheet.water)
+    if (p.x >= l.world.x0 && p.x <= l.world.x1) l.world.y1 = std::max(l.world.y1, p.y);
   for (const Grain& g : sheet.grains) {
     l.world.x0 = std::min(l.world.x0, g.x - g.radius), l.world.x1 = std::max(l.world.x1, g.x + g.radius);
     l.world.y0 = std::min(l.world.y0, g.y - g.radius), l.world.y1 = std::max(l.world.y1, g.y + g.radius);
