@@ -33,7 +33,8 @@ class EquilibriumJob final : public SliceJob {
     rules.step_limit = static_cast<std::int64_t>(option("step_limit"));
     TrialRun run(simulation_, rules, std::max<std::int64_t>(40, response), elastic_displacement);
     for (Slices s = run.run(trial, progress_); s.next();) co_yield Pause{};
-    simulation_.halt();
+    if (run.diverged()) simulation_.restore(*start);
+    else simulation_.halt();
     result_.trials.push_back(trial);
     result_.unbalanced_force_ratio = trial.unbalanced_force_ratio;
     result_.max_displacement = progress_.max_displacement;

@@ -58,7 +58,7 @@ struct Level {
 struct JobResult {
   std::string status = "NOT_RUN";  ///< OK, AT_REST, TIME_REACHED, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX,
                                    ///< NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE,
-                                   ///< ENERGY_UNBALANCED, TARGET_NOT_MET, DIVERGED, NO_MEMORY
+                                   ///< ENERGY_UNBALANCED, TARGET_NOT_MET, DIVERGED, REFUSED, NO_MEMORY
   std::string reason, scheme, reduced, flow_rule;
   double factor_of_safety = kNone, srf_stable = kNone, srf_unstable = kNone, error_estimate = kNone;
   double displacement_level = kNone, sliding_area = kNone, energy_residual = kNone;

@@ -65,6 +65,10 @@ Status SliceJob::run(double wall_seconds, const Callback& callback) {
       finished_ = true, outcome_ = Status::kMemory;
       result_.status = "NO_MEMORY", result_.reason = "the analysis ran out of memory";
       throw;
+    } catch (const Error& error) {
+      finished_ = true, outcome_ = error.issue().status;
+      result_.status = "REFUSED", result_.reason = error.issue().text;
+      throw;
     } catch (...) {
       finished_ = true, outcome_ = Status::kInternal;
       result_.status = "INTERNAL", result_.reason = "the analysis stopped on an internal error";

@@ -5,9 +5,6 @@
 
 namespace vbgpd {
 
-/// Largest ratio that a search leaves as it is, unless told otherwise.
-inline constexpr double kStiffnessContrast = 3;
-
 /// Numbers of the soils of the section that may yield.
 std::vector<std::size_t> yielding_soils(const Simulation& simulation);
 

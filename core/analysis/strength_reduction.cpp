@@ -34,6 +34,7 @@ class StrengthReductionJob final : public SliceJob {
       std::unique_ptr<Simulation> other;
       if (!is_own(n) || evened_) {
         other = compile_grid(n);
+        if (!other && stop_.empty()) continue;  // too coarse for the section: the next one may do
         if (!other) break;
         co_yield Pause{};
       }
@@ -137,7 +138,7 @@ class StrengthReductionJob final : public SliceJob {
     result_.next_level_seconds = predicted_seconds(whole(), result_.next_level_spacing);
   }
 
-  /// Nothing when it would need more particles than allowed.
+  /// Nothing when it would need more particles than allowed, or when its cells are too large for the section.
   std::unique_ptr<Simulation> compile_grid(std::size_t n) {
     CompileOptions options = simulation_.options();
     if (is_own(n)) {
@@ -152,6 +153,10 @@ class StrengthReductionJob final : public SliceJob {
       take_over(simulation_, *made);
       return made;
     } catch (const Error& error) {
+      if (!is_own(n) && error.issue().status == Status::kRange) {
+        left_out_ = error.issue().text;
+        return nullptr;
+      }
       if (!open_ || error.issue().status != Status::kLimit) throw;
       stop_ = error.issue().text;
       return nullptr;
@@ -250,6 +255,7 @@ class StrengthReductionJob final : public SliceJob {
     result_.status = now_.status, result_.reason = now_.reason;
     if (now_.status == "ENERGY_UNBALANCED") outcome_ = Status::kNotConverged;
     if (!stop_.empty()) result_.reason += "; " + stop_;
+    if (!left_out_.empty()) result_.reason += "; a coarser grid is left out (" + left_out_ + ")";
     if (result_.srf_unstable - result_.srf_stable > tolerance() * (1 + 1e-9))
       result_.reason += "; inside the bracket neither equilibrium nor steady failure showed: it is wider than " +
                         number_text(tolerance(), 3);
@@ -362,7 +368,8 @@ class StrengthReductionJob final : public SliceJob {
   SceneDef scene_;       // with that
   Estimate now_;         // of the grids so far
   bool gave_up_ = false;
-  std::string stop_;  // why no further grid was begun or ended
+  std::string stop_;      // why no further grid was begun or ended
+  std::string left_out_;  // why a coarse grid was passed over
 };
 
 }  // namespace

@@ -67,6 +67,9 @@ struct PublishedValue {
   double factor_of_safety = kNone, factor_of_safety_end = kNone;  ///< the end of a band, or NaN
 };
 
+/// Largest ratio of the stiffnesses of yielding soils that a strength reduction leaves as it is, unless told otherwise.
+inline constexpr double kStiffnessContrast = 3;
+
 struct StrengthReductionDef {
   double srf_min = 0.1;  ///< search range of the strength reduction factor
   double srf_max = 20;

@@ -19,6 +19,14 @@ Real LatticeSimulation::kinetic_energy() const {
 
 Real LatticeSimulation::stored_energy() const { return kinetic_energy() + elastic_energy() + half_step_work(); }
 
+Real LatticeSimulation::energy_residual() const {
+  if (!ledger_.open) return 0;
+  const Real kinetic = kinetic_energy(), elastic = elastic_energy() - ledger_.before;
+  const Real largest =
+      std::max({std::fabs(ledger_.external), kinetic, std::fabs(elastic), ledger_.plastic, ledger_.damping});
+  return largest > 0 ? std::fabs(ledger_.booked() - kinetic - elastic - half_step_work()) / largest : 0;
+}
+
 void LatticeSimulation::begin_audit(Real share) {
   // moved walls do work that the ledger does not book
   for (const GuidedParticle& g : model_.guided)

@@ -16,7 +16,7 @@ struct FlowSimulation::Saved final : SavedState {
   FlowState state;
   FlowSums last;
   Ledger ledger;
-  Real factor = 1, time = 0, peak_kinetic = 0, farthest = 0, farther_at = 0;
+  Real factor = 1, damping = 0, time = 0, peak_kinetic = 0, farthest = 0, farther_at = 0;
   std::int64_t steps = 0;
   Drive drive;
   Outside outside;
@@ -254,7 +254,7 @@ std::shared_ptr<SavedState> FlowSimulation::save() const {
   auto saved = std::make_shared<Saved>();
   saved->state = state_, saved->last = last_, saved->ledger = ledger_;
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->peak_kinetic = peak_kinetic_;
-  saved->farthest = farthest_, saved->farther_at = farther_at_;
+  saved->damping = damping_, saved->farthest = farthest_, saved->farther_at = farther_at_;
   saved->drive = drive_, saved->outside = outside();
   saved->counted.emplace(saved_, saved->state.bytes() + bytes_of(saved->outside));
   return saved;
@@ -284,7 +284,7 @@ void FlowSimulation::restore(const SavedState& other) {
   last_ = saved.last, ledger_ = saved.ledger;
   set_factor(saved.factor);
   time_ = saved.time, steps_ = saved.steps, peak_kinetic_ = saved.peak_kinetic;
-  farthest_ = saved.farthest, farther_at_ = saved.farther_at;
+  damping_ = saved.damping, farthest_ = saved.farthest, farther_at_ = saved.farther_at;
 }
 
 void FlowSimulation::settle(FlowState&& state, FlowLists&& lists, FlowScratch&& scratch) {

@@ -27,6 +27,7 @@ StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
   std::int64_t kept_at = 0;
   Real kept_time = time_;
   const std::int64_t steps_before = steps_;
+  if (!ledger_.open) ledger_.before = stored_energy() - ledger_.booked(), ledger_.open = true;
   if (!audit_.valid) begin_audit();
   while (report.steps < goal.steps && time_ < goal.time) {
     report.status = watch();

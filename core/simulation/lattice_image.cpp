@@ -88,7 +88,9 @@ StateImage LatticeSimulation::image() const {
                  {"time_step_factor", time_step_factor_},
                  {"external_work", ledger_.external},
                  {"damping_dissipation", ledger_.damping},
-                 {"plastic_dissipation", ledger_.plastic}};
+                 {"plastic_dissipation", ledger_.plastic},
+                 {"energy_before", ledger_.before},
+                 {"ledger_open", ledger_.open ? 1.0 : 0.0}};
   out.rows.push_back({"displacement", 2, by_id.gather({&state_.displacement_x, &state_.displacement_y})});
   out.rows.push_back({"velocity", 2, by_id.gather({&state_.velocity_x, &state_.velocity_y})});
   if (state_.plastic_volume.present())
@@ -130,6 +132,8 @@ void LatticeSimulation::restore_image(const StateImage& image) {
   ledger.external = image_number(image, "external_work", -kLarge, kLarge);
   ledger.damping = image_number(image, "damping_dissipation", -kLarge, kLarge);
   ledger.plastic = image_number(image, "plastic_dissipation", -kLarge, kLarge);
+  ledger.before = image_number_or(image, "energy_before", -kLarge, kLarge, 0);
+  ledger.open = image_number_or(image, "ledger_open", 0, 1, 1) != 0;
 
   const auto n = section_.seeds.size();
   if (image.particles != model_.particles)

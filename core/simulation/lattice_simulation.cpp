@@ -27,7 +27,7 @@ std::size_t bytes_of(const Outside& o) { return o.external_x.bytes() + o.externa
 
 struct LatticeSimulation::Saved final : SavedState {
   State state;
-  Real factor = 1, time = 0, last_time_step = 0;
+  Real factor = 1, damping = 0, time_step_factor = kDefaultTimeStepFactor, time = 0, last_time_step = 0;
   std::int64_t steps = 0, since_restart = 0;
   Ledger ledger;
   Drive drive;
@@ -168,20 +168,20 @@ Monitors LatticeSimulation::monitors_of(Real unbalanced_force_ratio) const {
 }
 
 void LatticeSimulation::halt() {
-  audit_.valid = false;
+  unbook();
   state_.velocity_x.fill_zero();
   state_.velocity_y.fill_zero();
   since_restart_ = 0;
 }
 
 void LatticeSimulation::start_over() {
-  audit_.valid = false;
+  unbook();
   State::for_each_array(state_, [](const char*, Array& a) { a.fill_zero(); });
   since_restart_ = 0;
 }
 
 RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& options) {
-  audit_.valid = false;
+  unbook();
   const Workers::Session session(workers_);
   if (relaxing_frequency_ == 0) relaxing_frequency_ = highest_frequency(model_.scaled_mass);
   Controls c;
@@ -226,6 +226,7 @@ std::shared_ptr<SavedState> LatticeSimulation::save() const {
   auto saved = std::make_shared<Saved>();
   saved->state = state_;
   saved->factor = factor_, saved->time = time_, saved->steps = steps_, saved->since_restart = since_restart_;
+  saved->damping = damping_, saved->time_step_factor = time_step_factor_;
   saved->last_time_step = last_time_step_, saved->ledger = ledger_;
   saved->drive = drive_, saved->outside = outside_, saved->force_version = force_version_;
   saved->layers = layers_;
@@ -256,6 +257,7 @@ void LatticeSimulation::restore(const SavedState& other) {
     state_ = saved.state;
   }
   time_ = saved.time, steps_ = saved.steps, since_restart_ = saved.since_restart;
+  damping_ = saved.damping, time_step_factor_ = saved.time_step_factor;
   last_time_step_ = saved.last_time_step, ledger_ = saved.ledger;
 }
 
@@ -321,12 +323,7 @@ double LatticeSimulation::get(std::string_view name) const {
   if (name == "plastic_dissipation") return ledger_.plastic;
   if (name == "damping_dissipation") return ledger_.damping;
   if (name == "external_work") return ledger_.external;
-  if (name == "energy_residual") {
-    const Real kinetic = kinetic_energy(), elastic = elastic_energy();
-    const Real largest = std::max({std::fabs(ledger_.external), kinetic, elastic, ledger_.plastic, ledger_.damping});
-    const Real residual = ledger_.external - kinetic - elastic - ledger_.plastic - ledger_.damping - half_step_work();
-    return largest > 0 ? std::fabs(residual) / largest : 0;
-  }
+  if (name == "energy_residual") return energy_residual();
   throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
 }
 

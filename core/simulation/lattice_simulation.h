@@ -51,7 +51,7 @@ class LatticeSimulation final : public Simulation {
 
   const Model& model() const { return model_; }
   State& state() {
-    audit_.valid = false;
+    unbook();
     return state_;
   }
   const std::vector<LawConstants>& constants() const { return constants_; }
@@ -61,6 +61,8 @@ class LatticeSimulation final : public Simulation {
  private:
   struct Ledger {
     Real external = 0, damping = 0, plastic = 0;
+    Real before = 0;    ///< energy that the soil had but for what is booked: of relaxations
+    bool open = false;  ///< since then only dynamic steps have moved the soil
     Real booked() const { return external - damping - plastic; }
   };
   /// An instant of dynamic stepping whose energy was found in order.
@@ -116,6 +118,9 @@ class LatticeSimulation final : public Simulation {
   /// Kinetic and elastic energy at the time of the displacements.
   Real stored_energy() const;
   void begin_audit(Real share = 0);
+  /// Something other than a dynamic step moves the soil: what energy it then has is not booked.
+  void unbook() { audit_.valid = ledger_.open = false; }
+  Real energy_residual() const;
   /// Energy that has come out of nothing since the audit before, as a share of what is tolerated; above 1 the state is
   /// that of the audit before. Every so many steps; between them what the last one found.
   Real audit();

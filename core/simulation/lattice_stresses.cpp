@@ -43,6 +43,7 @@ void LatticeSimulation::take_stresses(const Simulation& softer) {
     }
   });
   exchange(next);
+  unbook();
   factor_ = from->factor_;
   since_restart_ = 0;
   force_version_ = ++newest_force_version_;

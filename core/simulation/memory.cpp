@@ -20,18 +20,22 @@ namespace {
 
 /// What a scene stores per storage place and per bond record; the places are particles and padding.
 struct Shape {
-  bool bonded, plastic = false, volumetric = false, dilatant = false, gradient = false, uneven = false;
+  bool bonded, plastic = false, volumetric = false, dilatant = false, gradient = false, uneven = false, placed = false;
 };
 
 Shape shape_of(const SceneDef& scene) {
   Shape s{bond_law_by_name(scene.bond)->at_rest != BondLaw::kNone};
+  double softest = std::numeric_limits<double>::infinity(), stiffest = 0;
   for (const MaterialDef& m : scene.materials) {
     if (m.law == "elastic") continue;
     s.plastic = true;
+    softest = std::min(softest, m.young_modulus), stiffest = std::max(stiffest, m.young_modulus);
     s.volumetric |= m.friction_angle > 0 || !std::isnan(m.tension_cutoff);
     s.gradient |= m.cohesion_gradient > 0;
     s.dilatant |= m.dilatancy_angle > 0;
   }
+  s.placed = stiffest > kStiffnessContrast * softest;  // by a strength reduction, which evens stiffnesses out
+  s.volumetric |= s.placed;
   s.uneven = s.dilatant && s.bonded && scene.materials.size() > 1;
   return s;
 }
@@ -98,12 +102,13 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
   const double offsets = forward_offsets(scene, lattice), packs = blocks * (shape.bonded ? offsets : 1);
   // the state, the motion for the monitors, the state of the energy audit
   constexpr double kCopies = 2, kMotions = 3;
-  const double motion = 4 + (shape.volumetric ? 2 : 0), strain = shape.plastic && !shape.bonded ? 3 : 0;
+  const double motion = 4 + (shape.volumetric ? 2 : 0),
+               strain = shape.plastic && !shape.bonded ? (shape.placed ? 6 : 3) : 0;
   const double shifted = scene.jitter > 0 ? 1 : 0, weights = shifted * width * sizeof(float);
   const double model = 12 + (shape.bonded ? 1 : 0) + (shape.gradient ? 1 : 0) + (shape.uneven ? 1 : 0) + 2 * shifted +
                        (has_ground_water(scene) ? 1 : 0);
   const double scratch = 11 + (shape.bonded ? 2 : 0) + (shape.volumetric ? 2 : 0) + (shape.dilatant ? 2 : 0);
-  const double record = shape.plastic && shape.bonded ? 3.0 * width * sizeof(double) : 0;
+  const double record = shape.plastic && shape.bonded ? (shape.placed ? 6.0 : 3.0) * width * sizeof(double) : 0;
   return storage *
              (sizeof(double) * (model + scratch + kMotions * motion + kCopies * strain) + 2 * sizeof(std::int32_t)) +
          particles * (sizeof(Seed) + shifted * sizeof(Vec2) + 2 * sizeof(std::int32_t)) + blocks * sizeof(Block) +

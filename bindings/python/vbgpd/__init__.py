@@ -465,7 +465,7 @@ class Model(_Object):
 
     @property
     def state_hash(self):
-        """64-bit hash of everything that changes: same run = same hash, at any thread count."""
+        """64-bit hash of the soil's state (not of what acts on it): same run = same hash, at any thread count."""
         value = ctypes.c_uint64()
         self._call("state_hash", ctypes.byref(value))
         return value.value

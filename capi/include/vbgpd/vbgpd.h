@@ -235,8 +235,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_destroy(vbgpd_model*);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* name, int64_t len, double value);
 /* the above and: time, steps, stable_time_step, time_step, unbalanced_force_ratio, max_displacement, max_velocity,
  * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds, plastic_bonds,
- * bytes, and the energy ledger since creation: kinetic_energy, elastic_energy, plastic_dissipation, damping_dissipation,
- * external_work, energy_residual (relative to the largest of them); and estimates of a factor of safety on this grid, from
+ * bytes, and the energy ledger of dynamic steps: kinetic_energy, elastic_energy, plastic_dissipation, damping_dissipation,
+ * external_work, energy_residual (relative to the largest of them; what jobs relax is not booked: after one, 0 until the next
+ * step, and the elastic energy counts from there); and estimates of a factor of safety on this grid, from
  * steps that are run when asked and taken back: forecast_step_seconds (measured), forecast_steps, forecast_seconds, forecast_bytes
  * (like a call that changes the model: VBGPD_E_LEASED, VBGPD_E_STATE while a job is under way; a run-out: VBGPD_E_UNSUPPORTED) */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_get_f64(const vbgpd_model*, const char* name, int64_t len, double* value);
@@ -333,7 +334,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_snapshot(const vbgpd_model*, void*
  * particles (those on top), pore pressures move with them (where soil has come apart less K times the gap); a material without "tension_cutoff" bears no tension, where strength
  * reduction lets it bear that of the cone's apex. get_f64 also knows peak_kinetic_energy, standing_time (s for which no
  * particle went farther by a thousandth of a spacing), viscous_dissipation, contact_work, yielding_area, viscosity (alpha c h, m2/s),
- * neighbour_searches. VBGPD_E_STATE: `from` is one already; UNSUPPORTED: moving boundaries. */
+ * neighbour_searches. VBGPD_E_STATE: `from` is one already; UNSUPPORTED: moving boundaries, standing
+ * water, kernel "cubic_spline". */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_runout(const vbgpd_model* from, vbgpd_model** out);
 /* Works on a run-out model. A model without stress is first brought to equilibrium under gravity without strengths (phase 1);
  * then it moves (phase 6) until its kinetic energy is below 1e-6 of its peak, until it is plain that the slope stands, or to the
@@ -356,7 +358,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_runout(vbgpd_model*, vbgpd_jo
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_equilibrium(vbgpd_model*, vbgpd_job** out);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_strength_reduction(vbgpd_model*, vbgpd_job** out);
 /* "srf_min", "srf_max", "srf_tolerance" (taken from the profile), "careful" (0 fast search then verification, 1 plain
- * bisection from the gravity state), "step_limit" (per trial). Before the first _run only.
+ * bisection from the gravity state), "step_limit" (per trial, looked at every ten steps). Before the first _run only.
  * "stiffness_contrast" (3): soils that yield count as at most so many times as stiff as the softest one, which leaves the factor
  * of safety as it is and saves most of the time; "reason" says where it did. The model then takes over displacements and
  * stresses of the failing state, the strain that differs is the shape its soil was placed in; without a bracket it is as it was.
@@ -378,7 +380,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] 
  * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_f64(const vbgpd_job*, const char* name, int64_t len, double* value);
 /* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, ENERGY_UNBALANCED:
- * the value of the finest grid is given as it is; TARGET_NOT_MET; DIVERGED; NO_MEMORY), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
+ * the value of the finest grid is given as it is; TARGET_NOT_MET; DIVERGED; REFUSED: a grid could not be made; NO_MEMORY), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 
 /* One strength reduction factor that was tried, with its evidence. */
@@ -487,7 +489,8 @@ typedef struct vbgpd_view {
 } vbgpd_view;
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_view_acquire(vbgpd_model*, int32_t field, vbgpd_view* view);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_view_release(vbgpd_model*, int64_t lease);
-/* 64-bit hash of everything that changes in the model: same run = same hash, at any thread count. */
+/* 64-bit hash of the soil's state (displacements, velocities, plastic strain, which layers are there; not of what acts on it:
+ * factors, damping, loads, pressures): same run = same hash, at any thread count. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_state_hash(const vbgpd_model*, uint64_t* hash);
 
 /* ---- events ------------------------------------------------------------------------------------------------ */
@@ -523,7 +526,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_events_read(vbgpd_model*, int64_t 
 /* n items in the order of the selection (NULL = all particles by id); n must be their number. strides as _read_f64. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_f64(vbgpd_model*, int32_t field, const vbgpd_selection* selection, const double* src, int64_t stride_item, int64_t stride_component, int64_t n);
 /* Values at n places of another program, e.g. nodes of a seepage mesh, brought to all particles at their present
- * positions by the plane through the eight nearest places, weighted 1/d^2: exact for linear fields and at the places. */
+ * positions by the plane through the eight nearest places (as many more as it takes to span one, at most 512; of places on one
+ * line a straight line along it), weighted 1/d^2: exact for linear fields and at the places. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_points(vbgpd_model*, int32_t field, const double* xy, int64_t stride_xy, const double* src, int64_t stride_item, int64_t stride_component, int64_t n);
 /* Values on a raster, item i + nx*j at x0 + i*dx, y0 + j*dy, bilinear, continued linearly beyond its rim. NaN = no value:
  * particles that would need it keep what they have. One component only. */
