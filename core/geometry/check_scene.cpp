@@ -220,15 +220,18 @@ void check_standing_water(const SceneDef& scene, std::vector<Issue>& issues) {
   };
   Real from = 0, to = 0, low = 0, high = 0;
   bool wet = false;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const Real x = places[k], level = height_at(table, x);
-    if (!(depth(x) > 0)) {
-      if (wet) report(from, to, low, high);
-      wet = false;
-      continue;
-    }
+  const auto reach = [&](Real x) {
+    const Real level = height_at(table, x);
     if (!wet) from = x, low = high = level;
     wet = true, to = x, low = std::min(low, level), high = std::max(high, level);
+  };
+  for (std::size_t k = 1; k < places.size(); ++k) {  // between two places the depth is linear
+    const Real a = places[k - 1], b = places[k], da = depth(a), db = depth(b);
+    const auto shore = [&] { return a + (b - a) * da / (da - db); };
+    if (da > 0 || db > 0) reach(da < 0 ? shore() : a), reach(db < 0 ? shore() : b);
+    if (!wet || db > 0) continue;
+    report(from, to, low, high);
+    wet = false;
   }
   if (wet) report(from, to, low, high);
 }

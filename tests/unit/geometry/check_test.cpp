@@ -199,6 +199,11 @@ TEST(CheckGeometry, WaterThatStandsIsLevel) {
   EXPECT_EQ(issues[0].severity, Severity::kWarning);
   EXPECT_NEAR(issues[0].value, 3, 1e-12);
   EXPECT_TRUE(says(issues[0], "water that stands is level")) << issues[0].text;
+  // out of the slope and into it again: it stands between two places where it meets the ground
+  scene.water_table = {{left, top - 2}, {12, top - 2}, {22, top - 2}, {right, bottom}};
+  ASSERT_EQ(check_geometry(scene).size(), 1u);
+  EXPECT_NEAR(check_geometry(scene)[0].value, top - 2 - bottom, 1e-9);
+  EXPECT_NEAR(check_geometry(scene)[0].x, 16, 1e-9);
 }
 
 TEST(AllIssues, NameASpacingTooLargeForTheSection) {
