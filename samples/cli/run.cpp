@@ -1,5 +1,6 @@
 // vbgpd run: lets a slope move and writes down what it does.
 #include <cerrno>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -138,6 +139,8 @@ class Run {
     s.plastic_fraction = number(handle, "plastic_fraction"), s.crest_settlement = number(handle, "crest_settlement");
     s.toe_displacement = number(handle, "toe_displacement"), s.runout_distance = number(handle, "runout_distance");
     s.moved_area = number(handle, "moved_area"), s.energy_residual = number(handle, "energy_residual");
+    if (result_.series.empty()) settled_under_gravity_ = s.crest_settlement;
+    s.crest_settlement = std::max(0.0, s.crest_settlement - settled_under_gravity_);
     result_.series.push_back(s);
   }
 
@@ -169,6 +172,7 @@ class Run {
   vbgpd_model* model_;
   ProgressLine line_;
   InterruptGuard interrupt_;
+  double settled_under_gravity_ = 0;  // elastic, by weight alone: no movement of a slope
   RunResult result_;
   std::vector<std::pair<std::string, double>> frames_;
   double aim_ = 0;

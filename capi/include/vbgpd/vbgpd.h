@@ -340,7 +340,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_runout(const vbgpd_model* f
 /* Works on a run-out model. A model without stress is first brought to equilibrium under gravity without strengths (phase 1);
  * then it moves (phase 6) until its kinetic energy is below 1e-6 of its peak, until it is plain that the slope stands, or to the
  * job's "end_time" (s of the model's time; 0 = to rest). Afterwards another job goes on with the same model. Results: status
- * AT_REST or TIME_REACHED, crest_settlement (of the highest ground), toe_displacement (soil at the foot of the slope on the side
+ * AT_REST or TIME_REACHED, crest_settlement (of the highest ground, from the undeformed section on), toe_displacement (soil at the foot of the slope on the side
  * where the front went farther), runout_distance (front of the connected mass that moved a spacing or more, beyond that foot),
  * moved_area (soil that did), plastic_fraction, max_displacement, energy_residual. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_runout(vbgpd_model*, vbgpd_job** out);
