@@ -1,6 +1,6 @@
 // vbgpd run: lets a slope move and writes down what it does.
-#include <cerrno>
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
