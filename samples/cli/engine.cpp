@@ -1,5 +1,7 @@
 #include "engine.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -53,10 +55,13 @@ std::string error_text(const vbgpd_model* object) { return last_error(object, vb
 std::string error_text(const vbgpd_job* object) { return last_error(object, vbgpd_job_error); }
 
 Context create_context(int threads) {
+  // a spacing typed too fine is refused with one that would fit, before the machine is out of memory
+  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   vbgpd_context_desc description;
   vbgpd_context_desc_init(&description, sizeof description);
   description.abi_version = VBGPD_ABI_VERSION;
   description.threads = threads;
+  if (pages > 0 && page > 0) description.max_bytes = static_cast<std::int64_t>(pages) / 4 * 3 * page;
   vbgpd_context* context = nullptr;
   const vbgpd_status status = vbgpd_context_create(&description, &context);
   if (status != VBGPD_OK)
