@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/job.h"
 #include "physics/scenes.h"
 #include "simulation/simulation.h"
 #include "step/kernels.h"
@@ -46,6 +47,21 @@ TEST_P(Prediction, IsEnough) {
   RecordProperty("ratio", std::to_string(predicted / bytes));
   EXPECT_LE(bytes, predicted);
   EXPECT_LE(predicted, 1.35 * bytes);
+}
+
+/// The failing state is taken over as the shape that soil was placed in: two more arrays of the bonds.
+TEST(PredictionOfBytes, HoldsAfterAStrengthReductionThatEvenedStiffnesses) {
+  SceneDef scene = test::slope(test::soil("mohr_coulomb", 20e3, 20), 1);
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].name = "stiff", scene.materials[1].young_modulus *= 100;
+  scene.layers.push_back({"stiff", {{0, 0}, {32, 0}, {28, 2}, {0, 2}}});
+  const auto simulation = Simulation::compile(scene, {});
+  const auto job = make_strength_reduction(*simulation);
+  job->set("levels", 1);
+  ASSERT_EQ(job->run(0, {}), Status::kOk);
+  simulation->step(600, nullptr);
+  (void)simulation->monitors();
+  EXPECT_LE(simulation->get("bytes"), predicted_bytes(scene, fit_lattice(scene, 1, 1), best_kernels().width));
 }
 
 }  // namespace
