@@ -172,7 +172,10 @@ class Walk {
       skip_blank();
       const std::size_t key_at = here_;
       std::string_view raw;
-      if (!string(raw, "a name in quotes")) return false;
+      constexpr const char* kName = "a name in quotes";
+      if (!first && peek() == '}') return stop(kName, ": the comma before it is one too many");
+      if (!first && peek() >= '0' && peek() <= '9') return stop(kName, ": decimals are written with a point");
+      if (!string(raw, kName)) return false;
       if (skip_blank(); !take(':')) return false;
       skip_blank();
       const auto rename = [&](const std::string& name) { mend(key_at, key_at + raw.size() + 2, "\"" + name + "\""); };
@@ -362,10 +365,10 @@ class Walk {
     return stop(expected != nullptr ? expected : std::string(1, c));
   }
   /// The text is no JSON from here on.
-  bool stop(const std::string& expected) {
+  bool stop(const std::string& expected, const char* hint = "") {
     const bool cut = here_ >= json_.size();
     problem(std::min(here_, json_.size()), "",
-            "expected " + expected + ", found " + (cut ? "end of file" : whole_character()), kHarmless);
+            "expected " + expected + ", found " + (cut ? "end of file" : whole_character()) + hint, kHarmless);
     return false;
   }
   /// With the bytes that UTF-8 has behind its first one.
