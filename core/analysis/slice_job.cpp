@@ -59,19 +59,19 @@ Status SliceJob::run(double wall_seconds, const Callback& callback) {
   Status status = Status::kOk;
   for (;;) {
     bool more = false;
+    const auto over = [&](Status outcome, const char* word, std::string_view reason) {  // at every later call too
+      finished_ = true, outcome_ = outcome, result_.status = word, result_.reason = reason;
+    };
     try {
       more = slices_.next();
-    } catch (const std::bad_alloc&) {  // the analysis is over: say so at every later call
-      finished_ = true, outcome_ = Status::kMemory;
-      result_.status = "NO_MEMORY", result_.reason = "the analysis ran out of memory";
+    } catch (const std::bad_alloc&) {
+      over(Status::kMemory, "NO_MEMORY", "the analysis ran out of memory");
       throw;
     } catch (const Error& error) {
-      finished_ = true, outcome_ = error.issue().status;
-      result_.status = "REFUSED", result_.reason = error.issue().text;
+      over(error.issue().status, "REFUSED", error.issue().text);
       throw;
     } catch (...) {
-      finished_ = true, outcome_ = Status::kInternal;
-      result_.status = "INTERNAL", result_.reason = "the analysis stopped on an internal error";
+      over(Status::kInternal, "INTERNAL", "the analysis stopped on an internal error");
       throw;
     }
     const double now = watch.wall();

@@ -108,7 +108,8 @@ class Reader {
     for (std::size_t i = 0; i < kBoundaryKinds.size(); ++i)
       if (kind == kBoundaryKinds[i]) return void(b.kind = static_cast<BoundaryKind>(i));
     const std::string fault = kind.empty() ? " is missing" : " \"" + kind.substr(0, 64) + "\" is not known";
-    problem(where + ".kind" + fault + ": use one of " + list_text(kBoundaryKinds) + suggestion_text(kind, kBoundaryKinds));
+    problem(where + ".kind" + fault + ": use one of " + list_text(kBoundaryKinds) +
+            suggestion_text(kind, kBoundaryKinds));
   }
 
   void read(const schema::Load& from, const std::string&, LoadDef& load) {
@@ -147,9 +148,7 @@ class Reader {
     text_bytes_ += from->size();
     within(text_bytes_, kMaxAllTextBytes, "the scene", "bytes of text");
     to = from->str();
-    for (const char c : to)
-      if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t')
-        return problem(where + " holds control characters: names are plain text");
+    if (control_in(to) != to.npos) problem(where + " holds control characters: names are plain text");
   }
 
   static void take(fb::Optional<double> from, double& to, double factor = 1) {

@@ -17,31 +17,32 @@ bool same_place(const Issue& a, const Issue& b) {
   return a.severity == Severity::kError && a.object == b.object && a.object_id == b.object_id && a.item == b.item;
 }
 
+void warn(std::size_t material, double value, const std::string& text, std::vector<Issue>& issues) {
+  Issue issue;
+  issue.severity = Severity::kWarning, issue.status = Status::kOk, issue.object = ObjectKind::kMaterial;
+  issue.object_id = static_cast<std::int64_t>(material), issue.value = value, issue.text = text;
+  issues.push_back(std::move(issue));
+}
+
 void warn_of_thin_soils(const SceneDef& scene, std::vector<Issue>& issues) {
   if (scene.materials.size() < 2) return;
   const std::vector<Real> thickness = material_thickness(scene, scene.spacing);
-  for (std::size_t m = 0; m < thickness.size(); ++m) {
-    if (!(thickness[m] < kResolvedCells * scene.spacing)) continue;
-    Issue issue;
-    issue.severity = Severity::kWarning, issue.status = Status::kOk, issue.object = ObjectKind::kMaterial;
-    issue.object_id = static_cast<std::int64_t>(m), issue.value = thickness[m];
-    issue.text = "material '" + scene.materials[m].name + "' is " + number_text(thickness[m], 3) + " m thick, " +
-                 number_text(thickness[m] / scene.spacing, 2) + " spacings; the grid sees soil from " +
-                 number_text(kResolvedCells) + " spacings on: if it is weak, use a spacing of at most " +
-                 number_text(thickness[m] / kResolvedCells, 2) + " m";
-    issues.push_back(std::move(issue));
-  }
+  for (std::size_t m = 0; m < thickness.size(); ++m)
+    if (thickness[m] < kResolvedCells * scene.spacing)
+      warn(m, thickness[m],
+           "material '" + scene.materials[m].name + "' is " + number_text(thickness[m], 3) + " m thick, " +
+               number_text(thickness[m] / scene.spacing, 2) + " spacings; the grid sees soil from " +
+               number_text(kResolvedCells) + " spacings on: if it is weak, use a spacing of at most " +
+               number_text(thickness[m] / kResolvedCells, 2) + " m",
+           issues);
 }
 
 void warn_of_unused_soils(const SceneDef& scene, std::vector<Issue>& issues) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const auto uses = [&](const LayerDef& layer) { return layer.material == scene.materials[m].name; };
-    if (std::any_of(scene.layers.begin(), scene.layers.end(), uses)) continue;
-    Issue issue;
-    issue.severity = Severity::kWarning, issue.status = Status::kOk, issue.object = ObjectKind::kMaterial;
-    issue.object_id = static_cast<std::int64_t>(m);
-    issue.text = "materials[" + std::to_string(m) + "] '" + scene.materials[m].name + "': no layer is of this soil";
-    issues.push_back(std::move(issue));
+    const std::string& name = scene.materials[m].name;
+    const auto uses = [&](const LayerDef& layer) { return layer.material == name; };
+    if (std::none_of(scene.layers.begin(), scene.layers.end(), uses))
+      warn(m, kNone, "materials[" + std::to_string(m) + "] '" + name + "': no layer is of this soil", issues);
   }
 }
 

@@ -179,19 +179,6 @@ void check_loads(const SceneDef& scene, std::vector<Issue>& issues) {
   }
 }
 
-namespace {
-
-/// y of a line of points from left to right at x, held on beyond its ends.
-Real height_at(const std::vector<Point>& line, Real x) {
-  if (x <= line.front().x) return line.front().y;
-  const auto right = std::find_if(line.begin(), line.end(), [&](const Point& p) { return p.x >= x; });
-  if (right == line.end()) return line.back().y;
-  const Point& a = *(right - 1);
-  return a.y + (right->y - a.y) * (x - a.x) / (right->x - a.x);
-}
-
-}  // namespace
-
 void check_standing_water(const SceneDef& scene, std::vector<Issue>& issues) {
   const std::vector<Point>& table = scene.water_table;
   if (table.size() < 2) return;

@@ -162,6 +162,14 @@ Outline outline_of(const Vertices& exterior) {
   return outline;
 }
 
+Real height_at(const std::vector<Point>& line, Real x) {
+  const auto right = std::find_if(line.begin(), line.end(), [&](const Point& p) { return p.x >= x; });
+  if (right == line.begin()) return right->y;
+  const Point& a = *(right - 1);
+  if (right == line.end()) return a.y;
+  return a.y + (right->y - a.y) * (x - a.x) / (right->x - a.x);
+}
+
 std::vector<BoundaryDef> boundaries_of(const SceneDef& scene) {
   if (!scene.boundaries.empty()) return scene.boundaries;
   std::vector<BoundaryDef> usual(3);

@@ -17,6 +17,9 @@ struct Outline {
 };
 Outline outline_of(const Vertices& exterior);
 
+/// y at x of a line of points from left to right; it goes on level beyond its ends.
+Real height_at(const std::vector<Point>& line, Real x);
+
 /// A straight piece of the exterior, counter-clockwise (the soil to its left), that holds the soil.
 struct HeldEdge {
   Vec2 a, b;

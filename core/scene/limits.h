@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 namespace vbgpd {
 
@@ -13,5 +14,13 @@ inline constexpr std::size_t kMaxTextBytes = 65536;  ///< of one name or source
 inline constexpr std::size_t kMaxAllTextBytes = std::size_t{16}
                                                 << 20;  ///< together: a buffer may point at one text many times
 inline constexpr std::size_t kMaxCheckpointBytes = (std::size_t{1} << 31) - (std::size_t{1} << 20);
+
+/// Where a name stops being plain text: its first control character, npos where it has none.
+inline std::size_t control_in(std::string_view name) {
+  std::size_t at = 0;
+  while (at < name.size() && (static_cast<unsigned char>(name[at]) >= ' ' || name[at] == '\n' || name[at] == '\t'))
+    ++at;
+  return at < name.size() ? at : std::string_view::npos;
+}
 
 }  // namespace vbgpd

@@ -92,11 +92,9 @@ void check_text(const std::string& text, const char* field, Report& report) {
                  std::string(field) + " has " + std::to_string(text.size()) + " bytes of text: at most " +
                      std::to_string(kMaxTextBytes) + " are accepted",
                  static_cast<double>(text.size()));
-  const auto control = std::find_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t'; });
-  if (control != text.end())
+  if (const std::size_t control = control_in(text); control != text.npos)
     report.error(Status::kArgument, std::string(field) + " holds a control character at byte " +
-                                        std::to_string(control - text.begin()) + ": names are plain text");
+                                        std::to_string(control) + ": names are plain text");
 }
 
 void check_count(std::size_t count, const char* list, Report& report) {

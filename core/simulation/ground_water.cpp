@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/outline.h"
 #include "geometry/polygon.h"
 #include "simulation/outside.h"
 
@@ -43,13 +44,7 @@ void press_column(const SceneDef& scene, const Section& section, std::size_t fir
 }  // namespace
 
 Real water_level(const SceneDef& scene, Real x) {
-  const Polygon& table = scene.water_table;
-  if (table.empty()) return -kInfinity;
-  const auto right = std::find_if(table.begin(), table.end(), [&](const Point& p) { return p.x >= x; });
-  if (right == table.begin()) return right->y;
-  const Point& a = *(right - 1);
-  if (right == table.end()) return a.y;
-  return a.y + (right->y - a.y) * (x - a.x) / (right->x - a.x);
+  return scene.water_table.empty() ? -kInfinity : height_at(scene.water_table, x);
 }
 
 Real unit_weight_at(const SceneDef& scene, Index material, const Vec2& place) {

@@ -4,13 +4,6 @@
 
 #include "slope.h"
 
-static vbgpd_job* strength_reduction(vbgpd_model* model, double levels) {
-  vbgpd_job* job = NULL;
-  CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
-  CHECK_OK(vbgpd_job_set_f64(job, "levels", VBGPD_STRLEN, levels));
-  return job;
-}
-
 static void a_diverged_equilibrium_leaves_the_last_good_state(vbgpd_context* context) {
   vbgpd_profile* profile = make_profile(context, 1.0);
   vbgpd_model* model = NULL;
@@ -33,7 +26,9 @@ static void a_diverged_equilibrium_leaves_the_last_good_state(vbgpd_context* con
 static void grids_too_coarse_for_the_section_are_left_out(vbgpd_context* context) {
   char reason[512];
   vbgpd_model* model = make_model(context, 2.0);
-  vbgpd_job* job = strength_reduction(model, 5);
+  vbgpd_job* job = NULL;
+  CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
+  CHECK_OK(vbgpd_job_set_f64(job, "levels", VBGPD_STRLEN, 5));
   CHECK_OK(vbgpd_job_run(job, 0, NULL, NULL, NULL));
   CHECK(job_number(job, "factor_of_safety") > 0.5);
   CHECK(job_number(job, "levels") >= 2 && job_number(job, "levels") < 5);
