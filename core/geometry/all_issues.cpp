@@ -24,17 +24,25 @@ void warn(std::size_t material, double value, const std::string& text, std::vect
   issues.push_back(std::move(issue));
 }
 
+/// A strength reduction also asks a grid twice as coarse, for its error estimate.
 void warn_of_thin_soils(const SceneDef& scene, std::vector<Issue>& issues) {
+  constexpr double kResolvedTwice = 2 * kResolvedCells, kRounding = 1 - 1e-9;
   if (scene.materials.size() < 2) return;
   const std::vector<Real> thickness = material_thickness(scene, scene.spacing);
-  for (std::size_t m = 0; m < thickness.size(); ++m)
-    if (thickness[m] < kResolvedCells * scene.spacing)
-      warn(m, thickness[m],
-           "material '" + scene.materials[m].name + "' is " + number_text(thickness[m], 3) + " m thick, " +
-               number_text(thickness[m] / scene.spacing, 2) + " spacings; the grid sees soil from " +
-               number_text(kResolvedCells) + " spacings on: if it is weak, use a spacing of at most " +
-               number_text(thickness[m] / kResolvedCells, 2) + " m",
-           issues);
+  for (std::size_t m = 0; m < thickness.size(); ++m) {
+    const double cells = thickness[m] / scene.spacing;
+    if (!(cells < kRounding * kResolvedTwice)) continue;
+    const bool unseen = cells < kRounding * kResolvedCells;
+    const double asked = unseen ? kResolvedCells : kResolvedTwice;
+    warn(m, thickness[m],
+         "material '" + scene.materials[m].name + "' is " + number_text(thickness[m], 3) + " m thick, " +
+             number_text(cells, 2) + " spacings; " +
+             (unseen ? "the grid sees soil from " + number_text(asked) + " spacings on"
+                     : "two grids, which an error estimate takes, need " + number_text(asked) +
+                           ": the coarser one hardly sees it") +
+             ": if it is weak, use a spacing of at most " + number_text(thickness[m] / asked, 2) + " m",
+         issues);
+  }
 }
 
 void warn_of_unused_soils(const SceneDef& scene, std::vector<Issue>& issues) {

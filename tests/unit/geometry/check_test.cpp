@@ -206,6 +206,23 @@ TEST(CheckGeometry, WaterThatStandsIsLevel) {
   EXPECT_NEAR(check_geometry(scene)[0].x, 16, 1e-9);
 }
 
+TEST(AllIssues, NameSoilsTooThinForOneGridOrForTwo) {
+  SceneDef scene = scene_of(slope_on_foundation());
+  add_layer(scene, "seam", {{0, -1}, {52, -1}, {52, -2}, {0, -2}});
+  for (MaterialDef& m : scene.materials) m.unit_weight = 20e3, m.cohesion = 1e4;
+  const auto warning_at = [&](double spacing) {
+    scene.spacing = spacing;
+    const auto issues = all_issues(scene);
+    EXPECT_EQ(errors(issues), 0) << all_text(issues);
+    return all_text(issues);
+  };
+  EXPECT_NE(warning_at(0.8).find("the grid sees soil from 2 spacings on"), std::string::npos) << warning_at(0.8);
+  EXPECT_NE(warning_at(0.8).find("a spacing of at most 0.5 m"), std::string::npos) << warning_at(0.8);
+  EXPECT_NE(warning_at(0.5).find("the coarser one hardly sees it"), std::string::npos) << warning_at(0.5);
+  EXPECT_NE(warning_at(0.5).find("a spacing of at most 0.25 m"), std::string::npos) << warning_at(0.5);
+  EXPECT_EQ(warning_at(0.25), "");
+}
+
 TEST(AllIssues, NameASpacingTooLargeForTheSection) {
   SceneDef scene = scene_of(slope());
   scene.materials[0].unit_weight = 20e3, scene.materials[0].cohesion = 1e4;
