@@ -55,6 +55,7 @@ std::vector<std::int64_t> of_layer(const Simulation& simulation, std::int64_t la
   std::int64_t id = 0;
   for (const Seed& seed : simulation.section().seeds) {
     if (seed.hold != Hold::kFree) continue;
+    if (simulation.runs_out() && !seed.active) continue;  // a run-out has no particle where there is no soil
     if (seed.layer == layer) ids.push_back(id);
     ++id;
   }

@@ -36,6 +36,23 @@ static double factor_of_safety(vbgpd_model* model) {
   return factor;
 }
 
+/* Soil that was taken away has no particle in a run-out; the others are numbered without it. */
+static void selects_what_runs_out(const vbgpd_model* flow) {
+  vbgpd_selection layer;
+  int64_t n = 0, all = 0, i, *ids;
+  memset(&layer, 0, sizeof layer);
+  layer.struct_size = sizeof layer, layer.kind = VBGPD_SELECT_LAYER, layer.object_id = 1;
+  CHECK_OK(vbgpd_model_select(flow, &layer, NULL, 8, 0, &n));
+  CHECK(n == 0);
+  layer.object_id = 0;
+  CHECK_OK(vbgpd_model_item_count(flow, VBGPD_AT_PARTICLE, &all));
+  ids = (int64_t*)calloc((size_t)all, sizeof *ids);
+  CHECK_OK(vbgpd_model_select(flow, &layer, ids, 8, all, &n));
+  CHECK(n == all);
+  for (i = 0; i < n; ++i) CHECK(ids[i] == i);
+  free(ids);
+}
+
 static void refused(vbgpd_context* context) {
   vbgpd_model *model = model_of(context, make_stages(context, 1)), *flow = NULL;
   const uint64_t before = hash_of(model);
@@ -66,6 +83,7 @@ static void refused(vbgpd_context* context) {
   CHECK(model_number(flow, "particles") < model_number(model, "particles"));
   CHECK(fabs(model_number(flow, "total_mass") - model_number(model, "total_mass")) < 1e-9 * model_number(model, "total_mass"));
   CHECK_STATUS(VBGPD_E_UNSUPPORTED, vbgpd_model_set_layer_active(flow, 1, 1));
+  selects_what_runs_out(flow);
   CHECK_OK(vbgpd_model_destroy(flow));
   CHECK_OK(vbgpd_model_set_layer_active(model, 1, 1));
   CHECK(hash_of(model) == before);
