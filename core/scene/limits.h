@@ -8,7 +8,8 @@ namespace vbgpd {
 
 inline constexpr std::size_t kMaxSceneBytes = std::size_t{64} << 20;  ///< of text or of a buffer
 inline constexpr std::size_t kMaxPoints = 1000000;                    ///< of one outline
-inline constexpr std::size_t kMaxObjects = 100000;   ///< soils, layers, boundaries, loads, published values: of each
+inline constexpr std::size_t kMaxObjects = 100000;   ///< layers, boundaries, loads, published values: of each
+inline constexpr std::size_t kMaxSoils = 256;        ///< bonds number the pairs of soils in 16 bits
 inline constexpr std::size_t kMaxTables = 2000000;   ///< points and objects together
 inline constexpr std::size_t kMaxTextBytes = 65536;  ///< of one name or source
 inline constexpr std::size_t kMaxAllTextBytes = std::size_t{16}

@@ -97,13 +97,12 @@ void check_text(const std::string& text, const char* field, Report& report) {
                                         std::to_string(control) + ": names are plain text");
 }
 
-void check_count(std::size_t count, const char* list, Report& report) {
-  if (count <= kMaxObjects) return;
+void check_count(std::size_t count, std::size_t most, const char* list, Report& report) {
+  if (count <= most) return;
   report.about(ObjectKind::kProfile, -1, list);
-  report.error(
-      Status::kRange,
-      "the list has " + std::to_string(count) + " entries: at most " + std::to_string(kMaxObjects) + " are accepted",
-      static_cast<double>(count));
+  report.error(Status::kRange,
+               "the list has " + std::to_string(count) + " entries: at most " + std::to_string(most) + " are accepted",
+               static_cast<double>(count));
 }
 
 /// Missing, not finite or out of range: everything the property table says about one object.
@@ -443,10 +442,10 @@ std::vector<Issue> validate(const SceneDef& scene) {
   Report report(scene.units);
   report.about(ObjectKind::kProfile, -1, "profile");
   check_corners(scene.exterior, "exterior", report);
-  check_count(scene.materials.size(), "materials", report);
-  check_count(scene.layers.size(), "layers", report);
-  check_count(scene.boundaries.size(), "boundaries", report);
-  check_count(scene.loads.size(), "loads", report);
+  check_count(scene.materials.size(), kMaxSoils, "materials", report);
+  check_count(scene.layers.size(), kMaxObjects, "layers", report);
+  check_count(scene.boundaries.size(), kMaxObjects, "boundaries", report);
+  check_count(scene.loads.size(), kMaxObjects, "loads", report);
   check_materials(scene, report);
   check_layers(scene, report);
   check_boundaries(scene, report);

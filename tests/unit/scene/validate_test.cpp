@@ -370,6 +370,18 @@ TEST(Validate, WarnsOfASaturatedWeightThatIsNeverUsed) {
   EXPECT_NE(issue.text.find("'clay' is never used"), std::string::npos);
 }
 
+TEST(Validate, AcceptsAsManySoilsAsPairsCanBeNumbered) {
+  const auto soils = [](std::size_t count) {
+    return [count](SceneDef& s) {
+      s.materials.resize(count, s.materials[0]);
+      for (std::size_t m = 0; m < count; ++m) s.materials[m].name = "clay " + std::to_string(m);
+      s.layers[0].material = "clay 0";
+    };
+  };
+  EXPECT_FALSE(has_error(issues_after(soils(256))));
+  EXPECT_EQ(only_issue(soils(257)).text, "materials: the list has 257 entries: at most 256 are accepted");
+}
+
 TEST(Validate, WarnsOfALoadThatPullsUp) {
   expect_warning("loads[0]: a negative pressure pulls the ground up: loads are positive downwards",
                  [](SceneDef& s) { s.loads[0].pressure = -20000; });
