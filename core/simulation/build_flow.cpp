@@ -6,6 +6,7 @@
 
 #include "geometry/outline.h"
 #include "scene/quantity.h"
+#include "simulation/cohesion_gradient.h"
 #include "simulation/ground_water.h"
 #include "simulation/outside.h"
 
@@ -145,7 +146,9 @@ void add_particles(const LatticeSimulation& from, FlowModel& m) {
     const Vec2 reference = at - m.origin;
     m.reference_x[id] = reference.x(), m.reference_y[id] = reference.y();
     m.material[id] = seed.material;
-    if (m.extra_cohesion.present()) m.extra_cohesion[id] = lattice.extra_cohesion[i];
+    if (m.extra_cohesion.present())
+      m.extra_cohesion[id] = extra_cohesion(from.scene().materials[static_cast<std::size_t>(seed.material)],
+                                            section.place(k).y());
   }
 }
 

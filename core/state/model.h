@@ -68,6 +68,7 @@ struct Model {
   std::vector<AnyLaw> pair_law;            ///< [materials x materials]
   std::vector<Strength> pair_strength;     ///< unreduced
   std::vector<LawConstants> pair_elastic;  ///< moduli only
+  std::vector<bool> pair_grows;            ///< whether extra_cohesion counts for the pair; empty = no gradient
   // scales
   Real height = 0, stress_scale = 0, force_scale = 0,
        stiffness = 0;  ///< H, gamma H or q, sum |f_ext|, harmonic mean of Young's modulus over the soil

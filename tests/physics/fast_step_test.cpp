@@ -39,6 +39,15 @@ const std::vector<Variant>& variants() {
          s.materials[0] = test::soil("undrained", 8e3, 0);
          s.materials[0].cohesion_gradient = 500, s.materials[0].cohesion_datum = 8;
        }},
+      {"undrained with gradient on rock",
+       [](SceneDef& s) {
+         s.materials[0] = test::soil("undrained", 8e3, 0);
+         s.materials[0].cohesion_gradient = 500, s.materials[0].cohesion_datum = 8;
+         MaterialDef rock = test::soil("elastic", 0, 0);
+         rock.name = "rock";
+         s.materials.push_back(rock);
+         s.layers.push_back({"rock", {{0, 0}, {30, 0}, {30, 3}, {0, 2}}});
+       }},
       {"elastic", [](SceneDef& s) { s.materials[0].law = "elastic"; }},
       {"no bonds", [](SceneDef& s) { s.bond = "none"; }},
       {"no bonds, mohr-coulomb", [](SceneDef& s) { s.bond = "none", s.materials[0].law = "mohr_coulomb"; }},

@@ -12,6 +12,7 @@
 #include "material/cone.h"
 #include "material/hexagon.h"
 #include "simulation/build_model.h"
+#include "simulation/cohesion_gradient.h"
 #include "smoothing/any_kernel.h"
 
 namespace vbgpd::test {
@@ -23,7 +24,8 @@ class ReferenceStep {
         section_(section),
         constants_(pair_constants(model, factor, false)),
         laws_(model.pair_law),
-        factor_(factor) {
+        factor_(factor),
+        extra_(extra_cohesion_of_seeds(scene, section)) {
     const auto n = section.seeds.size();
     u.assign(n, Vec2::Zero()), v.assign(n, Vec2::Zero()), plastic_volume.assign(n, 0);
     for (const CutPair& c : section.cut_pairs) cut_[{c.a, c.b}] = true;
@@ -69,7 +71,7 @@ class ReferenceStep {
         if (bonds ? !bonded(i, j) : j != i) continue;
         const std::size_t pair = pair_of(i, j);
         LawConstants c = constants_[pair];
-        c.k += (extra_cohesion(i) + extra_cohesion(j)) / 2 / factor_ * c.k_per_cohesion;
+        c.k += (extra_[i] + extra_[j]) / 2 / factor_ * c.k_per_cohesion;
         Mat2 gradient = (L[i] + L[j]) / 2;
         Vec2 normal = Vec2::Zero();
         Real r = 0, bond_volume = volume(i);
@@ -131,16 +133,12 @@ class ReferenceStep {
     return static_cast<std::size_t>(std::min(a, b)) * scene_.materials.size() +
            static_cast<std::size_t>(std::max(a, b));
   }
-  Real extra_cohesion(std::size_t i) const {
-    const MaterialDef& m = scene_.materials[static_cast<std::size_t>(section_.seeds[i].material)];
-    return m.cohesion_gradient > 0 ? m.cohesion_gradient * std::max(0.0, m.cohesion_datum - x[i].y()) : 0;
-  }
-
   const SceneDef& scene_;
   const Section& section_;
   std::vector<LawConstants> constants_;
   std::vector<AnyLaw> laws_;
   Real factor_, h_ = 0;
+  std::vector<Real> extra_;
   std::vector<Real> omega0_;
   std::map<std::pair<Index, Index>, bool> cut_;
   std::map<std::pair<std::size_t, std::size_t>, bool> touched_;
