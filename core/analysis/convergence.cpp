@@ -78,6 +78,7 @@ struct Grids {
   const Level* coarse = nullptr;
   const Level* third = nullptr;
   const ThinLayer& thinnest;
+  Real support;                                ///< radius of the support, spacings
   Real cells;                                  ///< thickness of the thinnest layer, spacings of the finest grid
   double half;                                 ///< half the bracket of the finest grid
   double first_order = kNone, difference = 0;  ///< extrapolated; how far from the value of the finest grid
@@ -86,11 +87,12 @@ struct Grids {
   double noise;
   double rise = 0;  ///< of the finest grid above the coarse one
 
-  Grids(std::span<const Level> levels, const ThinLayer& layer)
+  Grids(std::span<const Level> levels, const ThinLayer& layer, Real support_radius)
       : count(levels.size()),
         fine(levels.back()),
         coarse(coarser(levels, fine)),
         thinnest(layer),
+        support(support_radius),
         cells(layer.thickness / spacing_of(fine)),
         half(half_bracket(fine)),
         noise(half) {
@@ -163,14 +165,13 @@ void take_third_grid(const Grids& g, Estimate& e) {
   }
 }
 
-constexpr double kSupport = 2.6;  // radius of the support, spacings
-constexpr double kAgain = 1.5;    // times what was extrapolated, where the coarse grid stands too near
+constexpr double kAgain = 1.5;  // times what was extrapolated, where the coarse grid stands too near
 
 /// Bonds as long as a layer is thick know both its sides and nothing of itself. Differences to a grid whose support
 /// radius is that long follow no order: the limit may lie anywhere between the value of the finest grid (a high order)
 /// and that of first order. The coarse grid has hardly seen the layer and stands too near: below first order lies half
 /// as much again.
-bool spans_a_layer(const Grids& g) { return g.thinnest.thickness / spacing_of(*g.coarse) < kSupport; }
+bool spans_a_layer(const Grids& g) { return g.thinnest.thickness / spacing_of(*g.coarse) < g.support; }
 void stay_in_the_middle(const Grids& g, Estimate& e) {
   e.value = (g.fine.factor_of_safety + e.value) / 2;
   e.error = (kAgain - 0.5) * g.difference + g.noise;
@@ -217,7 +218,7 @@ void refuse_unresolved_layer(const Grids& g, Estimate& e) {
 /// skin, and nothing that could be extrapolated.
 void refuse_skin(const Grids& g, Estimate& e) {
   constexpr double kThinner = 0.85;
-  if (!(g.fine.sliding_thickness < kSupport * spacing_of(g.fine))) return;
+  if (!(g.fine.sliding_thickness < g.support * spacing_of(g.fine))) return;
   const std::string only = number_text(g.fine.sliding_thickness / spacing_of(g.fine), 2) + " spacings";
   if (g.coarse == nullptr) e.reason += "; the sliding mass is only " + only + " thick";
   else if (g.fine.sliding_thickness < kThinner * g.coarse->sliding_thickness)
@@ -262,8 +263,8 @@ Grid open_ladder(int n) {
 
 double spacing_of(const Level& level) { return std::sqrt(level.spacing_x * level.spacing_y); }
 
-Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest) {
-  const Grids g(levels, thinnest);
+Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest, Real support) {
+  const Grids g(levels, thinnest, support);
   Estimate e = reading_of(g);
   const bool unresolved = g.cells < kResolvedCells;
   if (unresolved) refuse_unresolved_layer(g, e);

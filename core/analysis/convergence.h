@@ -47,8 +47,9 @@ struct Estimate {
 /// Two grids of which the finer reads higher are not extrapolated: its value, and an error that reaches back to the
 /// other. Brackets enter with their full width. Half of what was extrapolated stays in doubt; a third grid replaces
 /// that half by what the observed order changes. Where the sliding mass differs from grid to grid all of it stays in
-/// doubt. Needs at least one level; every level has a factor of safety.
-Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest);
+/// doubt. Needs at least one level; every level has a factor of safety. `support`: radius of the smoothing kernel,
+/// spacings.
+Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest, Real support = 2.6);
 
 /// Wall seconds of a grid with that spacing: particles times steps grow like spacing^-3, or as the last two grids did
 /// when that is faster.

@@ -206,7 +206,7 @@ class StrengthReductionJob final : public SliceJob {
 
   /// After a level with a bracket.
   void take_stock() {
-    now_ = estimate(whole(), thinnest_);
+    now_ = estimate(whole(), thinnest_, 2 * simulation_.scene().smoothing_ratio);
     Level& last = result_.levels.back();
     last.estimate = now_.value, last.error_estimate = now_.error;
     result_.srf_stable = last.srf_stable, result_.srf_unstable = last.srf_unstable;

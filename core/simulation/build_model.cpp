@@ -6,6 +6,7 @@
 #include <map>
 
 #include "boundary/wall.h"
+#include "simulation/cohesion_gradient.h"
 #include "simulation/ground_water.h"
 #include "simulation/lattice_packs.h"
 #include "simulation/surface_load.h"
@@ -24,13 +25,10 @@ Strength strength_of(const MaterialDef& m, Real spacing) {
   return s;
 }
 
-/// A bond between two materials is as strong as the weaker of them at the stress level of the section
-/// (core/bond/README.md).
-Strength joined_strength(const Strength& a, const Strength& b, Real stress) {
-  const auto strength = [&](const Strength& s) { return s.cohesion + stress * std::tan(s.friction_angle); };
-  Strength s = strength(a) <= strength(b) ? a : b;
-  s.dilatancy_angle = std::min({s.dilatancy_angle, a.dilatancy_angle, b.dilatancy_angle});
-  s.tension_cutoff = std::min(a.tension_cutoff, b.tension_cutoff);
+Strength joined_strength(const Strength& weaker, const Strength& other) {
+  Strength s = weaker;
+  s.dilatancy_angle = std::min(s.dilatancy_angle, other.dilatancy_angle);
+  s.tension_cutoff = std::min(s.tension_cutoff, other.tension_cutoff);
   return s;
 }
 
@@ -41,28 +39,37 @@ int generality(const AnyLaw& law) {
   return std::holds_alternative<Undrained>(law) ? 1 : 0;
 }
 
-void build_materials(const SceneDef& scene, Real h, Real stress, Model& m) {
+/// A bond between two materials is as strong as the weaker of them where they meet, at the stress level of the section;
+/// against a rock that never yields the soil's own strength decides (core/bond/README.md).
+void build_materials(const SceneDef& scene, const Section& section, Real h, Real stress, Model& m) {
   m.materials = static_cast<int>(scene.materials.size());
   const auto n = scene.materials.size();
+  const bool gradient = has_cohesion_gradient(scene);
+  const std::vector<Real> heights = gradient ? meeting_heights(scene, section) : std::vector<Real>(n * n, kNone);
+  const auto moduli_of = [&](const AnyLaw& law, const MaterialDef& d) {
+    const Real ratio = effective_poisson_ratio(law, d.poisson_ratio, strength_of(d, h));
+    return derive(Elastic{}, d.young_modulus, ratio, {});
+  };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const MaterialDef &a = scene.materials[i], &b = scene.materials[j];
       const AnyLaw la = *law_by_name(a.law), lb = *law_by_name(b.law);
-      const AnyLaw law = generality(la) >= generality(lb) ? la : lb;
-      Strength s = joined_strength(strength_of(a, h), strength_of(b, h), stress);
-      if (!yields(la)) s = strength_of(b, h);  // against a rock that never yields the soil's own strength decides
-      if (!yields(lb)) s = strength_of(a, h);
-      const auto moduli_of = [&](const AnyLaw& own, const MaterialDef& d) {
-        const Real ratio = effective_poisson_ratio(own, d.poisson_ratio, strength_of(d, h));
-        return derive(Elastic{}, d.young_modulus, ratio, {});
+      const Strength sa = strength_of(a, h), sb = strength_of(b, h);
+      const Real y = heights[std::min(i, j) * n + std::max(i, j)];
+      const auto strength_there = [&](const MaterialDef& d, const Strength& s) {
+        return s.cohesion + (std::isnan(y) ? 0 : extra_cohesion(d, y)) + stress * std::tan(s.friction_angle);
       };
+      const bool rock = !yields(la) || !yields(lb);
+      const bool first = rock ? !yields(lb) : strength_there(a, sa) <= strength_there(b, sb);
+      const Strength &weaker = first ? sa : sb, &other = first ? sb : sa;
       const LawConstants ca = moduli_of(la, a), cb = moduli_of(lb, b);
       LawConstants moduli;
       moduli.shear_modulus = joined(ca.shear_modulus, cb.shear_modulus);
       moduli.bulk_modulus = joined(ca.bulk_modulus, cb.bulk_modulus);
-      m.pair_law.push_back(law);
-      m.pair_strength.push_back(s);
+      m.pair_law.push_back(generality(la) >= generality(lb) ? la : lb);
+      m.pair_strength.push_back(rock ? weaker : joined_strength(weaker, other));
       m.pair_elastic.push_back(moduli);
+      if (gradient) m.pair_grows.push_back((first ? a : b).cohesion_gradient > 0);
     }
 }
 
@@ -114,6 +121,8 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
   m.stress_scale = std::max(heaviest * m.height, load);
   if (!(m.stress_scale > 0)) m.stress_scale = 1;
   const Real least = 1e-6 * m.stress_scale / m.height;
+  const std::vector<Real> extra =
+      m.features.cohesion_gradient ? extra_cohesion_of_seeds(scene, section) : std::vector<Real>{};
   Real soil = 0, compliance = 0;
   for (std::size_t k = 0; k < section.seeds.size(); ++k) {
     const Seed& seed = section.seeds[k];
@@ -124,10 +133,7 @@ void build_masses(const SceneDef& scene, const Section& section, Model& m) {
     const Real inertial = weight > least ? weight : m.stress_scale / m.height;
     m.mass[i] = inertial * seed.volume / scene.gravity;
     if (seed.hold == Hold::kFree) soil += seed.volume, compliance += seed.volume / d.young_modulus;
-    if (m.features.cohesion_gradient && d.cohesion_gradient > 0) {
-      const Real y = section.place(k).y();
-      m.extra_cohesion[i] = d.cohesion_gradient * std::max<Real>(0, d.cohesion_datum - y);
-    }
+    if (m.features.cohesion_gradient) m.extra_cohesion[i] = extra[k];
     const auto pair = static_cast<std::size_t>(seed.material * (m.materials + 1));
     if (m.features.uneven_dilation) m.compressibility[i] = 1 / m.pair_elastic[pair].bulk_modulus;
     WallMotion wall;
@@ -163,6 +169,7 @@ std::vector<LawConstants> pair_constants(const Model& m, Real factor, bool elast
     LawConstants& c = constants[p];
     if (!elastic)
       std::visit([&](auto law) { decltype(law)::derive(reduced(m.pair_strength[p], factor), c); }, m.pair_law[p]);
+    if (!m.pair_grows.empty() && !m.pair_grows[p]) c.k_per_cohesion = 0;
     c.shear_modulus = m.pair_elastic[p].shear_modulus;
     c.bulk_modulus = m.pair_elastic[p].bulk_modulus;
   }
@@ -187,7 +194,7 @@ void apply_drive(const SceneDef& scene, const Section& section, const Drive& dri
     m.force_x[i] = drive.kh * weight;
     m.force_y[i] = -(1 + drive.kv) * weight;
   }
-  add_surface_loads(drive.loads, section, m);
+  add_surface_loads(drive.loads, section, scene.smoothing_ratio, m);
   for (GuidedParticle& g : m.guided) {
     if (g.prescribed == 0) continue;
     const Seed& seed = section.seeds[static_cast<std::size_t>(m.seed_of[static_cast<std::size_t>(g.particle)])];
@@ -209,7 +216,7 @@ Model build_model(const SceneDef& scene, const Section& section, int width, cons
   m.take_from(heap);
   m.width = width;
   const Real spacing = std::sqrt(section.lattice.spacing.prod());
-  build_materials(scene, spacing, mean_stress(scene, section), m);
+  build_materials(scene, section, spacing, mean_stress(scene, section), m);
   find_features(scene, section, m);
   const Real h = scene.smoothing_ratio * std::sqrt(section.lattice.spacing.x() * section.lattice.spacing.y());
   build_packs(section, scene.jitter, *kernel_by_name(scene.kernel), h, m);

@@ -55,7 +55,8 @@ void FlowSimulation::take_forces(Drive drive, Outside outside) {
     for (std::size_t k = 0; k < id_of.size(); ++k)
       if (section_.seeds[k].hold == Hold::kFree && section_.seeds[k].active) id_of[k] = next++;
     spread_surface_loads(
-        drive.loads, section_, [&](std::size_t seed) { return model_.surface_area[id_of[seed]]; },
+        drive.loads, section_, scene_.smoothing_ratio,
+        [&](std::size_t seed) { return model_.surface_area[id_of[seed]]; },
         [&](std::size_t seed, Real force) { y[id_of[seed]] += force; });
   }
   const auto add = [](const Array& from, Array& to) {
@@ -93,9 +94,11 @@ FieldView FlowSimulation::view(int field) const {
   } else if (name == "plastic_strain") {
     lend(state_.plastic_strain.data(), 1);
   } else if (name == "particle_id") {
-    if (storage_ids_.empty())
-      for (std::size_t i = 0; i < state_.particle.size(); ++i)
-        storage_ids_.push_back(static_cast<std::int64_t>(state_.particle[i]));
+    if (storage_ids_.empty()) {
+      std::vector<std::int64_t> ids(state_.particle.size());
+      for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<std::int64_t>(state_.particle[i]);
+      storage_ids_ = std::move(ids);
+    }
     out.data = storage_ids_.data(), out.stride_item = sizeof(std::int64_t);
   } else {
     throw Error(Status::kUnsupported, std::string("field '") + info.name +

@@ -64,13 +64,13 @@ void load_images(const Section& section, const std::vector<Real>& on_soil,
 
 }  // namespace
 
-void spread_surface_loads(const std::vector<LoadDef>& loads, const Section& section,
+void spread_surface_loads(const std::vector<LoadDef>& loads, const Section& section, Real smoothing_ratio,
                           const std::function<Real(std::size_t)>& area,
                           const std::function<void(std::size_t, Real)>& push) {
   const Real dx = section.lattice.spacing.x(), dy = section.lattice.spacing.y();
   const bool whole =
       std::all_of(section.seeds.begin(), section.seeds.end(), [](const Seed& seed) { return seed.active; });
-  const Real depth = 3.5 * dy;  // the rows a support of 2.6 spacings can miss
+  const Real depth = (2 * smoothing_ratio + 0.9) * dy;  // the rows whose support can miss a part
   for (const LoadDef& load : loads) {
     const Real end = std::isnan(load.pressure_end) ? load.pressure : load.pressure_end;
     const auto pressure = [&](Real x) {
@@ -102,13 +102,13 @@ void spread_surface_loads(const std::vector<LoadDef>& loads, const Section& sect
   }
 }
 
-void add_surface_loads(const std::vector<LoadDef>& loads, const Section& section, Model& m) {
+void add_surface_loads(const std::vector<LoadDef>& loads, const Section& section, Real smoothing_ratio, Model& m) {
   if (loads.empty()) return;
   const std::vector<Real> area = normal_areas(m);
   const auto place = [&](std::size_t seed) { return static_cast<std::size_t>(m.storage_of[seed]); };
   std::vector<Real> on_soil(section.seeds.size(), 0);
   spread_surface_loads(
-      loads, section, [&](std::size_t seed) { return area[place(seed)]; },
+      loads, section, smoothing_ratio, [&](std::size_t seed) { return area[place(seed)]; },
       [&](std::size_t seed, Real force) { on_soil[seed] += force; });
   for (std::size_t k = 0; k < on_soil.size(); ++k)
     if (on_soil[k] != 0) m.force_y[place(k)] += on_soil[k];
