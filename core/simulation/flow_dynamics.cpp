@@ -11,6 +11,7 @@ StepReport FlowSimulation::march(const Goal& goal, const StepWatch& watch) {
   StepReport report;
   const Workers::Session session(workers_);
   FlowControls c = controls();
+  if (room_ < 0) state_was_changed();  // memory ran out before the lists of the last step could be made
   open_ledger();
   // A particle that crosses a spacing in a step has left the method; the state of at most kKeep steps before is good.
   constexpr std::int64_t kKeep = 256;
@@ -25,7 +26,7 @@ StepReport FlowSimulation::march(const Goal& goal, const StepWatch& watch) {
     if (report.steps - kept_at >= kKeep) kept = save(), kept_at = report.steps;
     FlowSums sums;
     run_step(c, sums);
-    if (!(sums.velocity2 < runaway * runaway)) {
+    if (!(sums.velocity2 < runaway * runaway) || !std::isfinite(sums.unbalanced)) {
       restore(*kept);
       report.steps = kept_at;
       report.status = Status::kDiverged, report.cause = kOutranWaves;
@@ -56,7 +57,7 @@ RelaxReport FlowSimulation::relax(std::int64_t steps, const RelaxOptions& option
     run_step(c, sums);
     ++r.steps;
     r.external_work += sums.external, r.internal_work -= sums.internal + sums.bond;
-    r.diverged = !(sums.velocity2 < runaway * runaway);
+    r.diverged = !(sums.velocity2 < runaway * runaway) || !std::isfinite(sums.unbalanced);
     refresh_neighbours(c.time_step);
   }
   r.since_restart = r.steps;

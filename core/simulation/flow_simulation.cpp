@@ -95,9 +95,9 @@ void FlowSimulation::join() {
 }
 
 void FlowSimulation::state_was_changed() {
-  if (search_neighbours(model_, state_, lists_)) ++epoch_, storage_ids_.clear();
+  const auto prepare = [this](const FlowLists& found) { arrange(found, scratch_); };
+  if (search_neighbours(model_, state_, lists_, prepare)) ++epoch_, storage_ids_.clear();
   ++searches_;
-  arrange(lists_, scratch_);
   room_ = model_.options.skin * model_.spacing / 2;
 }
 
@@ -129,9 +129,10 @@ void FlowSimulation::arrange(const FlowLists& lists, FlowScratch& scratch) const
   const auto n = static_cast<std::size_t>(model_.particles), all = n + lists.ghosts.size() + 1;
   const bool diffuses = kernels_.step[static_cast<int>(model_.bond)][1] != nullptr;
   int stagger = 3;
-  // with room for more, so that not every search asks for memory
+  // with room for more, so that not every search asks for memory; what there is serves on where there is no more
   const auto fit = [&](Array& a, std::size_t needed) {
-    if (a.size() < needed) a.allocate(needed + needed / 8, stagger, model_.heap);
+    Array larger;
+    if (a.size() < needed) larger.allocate(needed + needed / 8, stagger, model_.heap), a = std::move(larger);
     ++stagger;
   };
   for (Array* a : {&scratch.motion, &scratch.next_motion, &scratch.gradient, &scratch.bond, &scratch.inverse,

@@ -14,7 +14,7 @@ namespace vbgpd {
 
 namespace {
 
-/// Rows of kWidth values in another order; `old` is room for a copy.
+/// Rows of kWidth values in another order; `old` is room for a copy and asks for none where it has enough.
 template <std::size_t kWidth>
 void permute(Array& a, const std::vector<std::int32_t>& order, std::vector<Real>& old) {
   if (!a.present()) return;
@@ -343,27 +343,36 @@ std::int64_t listing_work(const FlowModel& m, const FlowState& s) {
   return Lister(m, s, lists).work(1000 * m.particles + 1000000);
 }
 
-bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists) {
+bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists,
+                       const std::function<void(const FlowLists&)>& prepare) {
   const auto n = static_cast<std::size_t>(m.particles);
-  for (std::size_t i = 0; i < n; ++i) s.listed[2 * i] = s.motion[4 * i], s.listed[2 * i + 1] = s.motion[4 * i + 1];
-  const Cells cells(m, s.listed, cell_size(m));
-  const Bins sorted(cells, s.listed.data(), n);
-  const std::vector<std::int32_t>& order = sorted.items;  // new place -> old place
+  FlowState sorted;  // places, ids and tractions alone: what a listing needs
+  sorted.listed = s.listed, sorted.particle = s.particle;
+  for (std::size_t i = 0; i < n; ++i)
+    sorted.listed[2 * i] = s.motion[4 * i], sorted.listed[2 * i + 1] = s.motion[4 * i + 1];
+  const Cells cells(m, sorted.listed, cell_size(m));
+  const Bins bins(cells, sorted.listed.data(), n);
+  const std::vector<std::int32_t>& order = bins.items;  // new place -> old place
   const bool reordered = !std::is_sorted(order.begin(), order.end());
   std::vector<Real> room;
-  if (reordered) {
-    permute<4>(s.motion, order, room), permute<4>(s.stress, order, room), permute<2>(s.listed, order, room);
-    for (Array* a : {&s.gap, &s.plastic_strain, &s.wall_shear, &s.wall_limit, &s.particle, &s.dead})
-      permute<1>(*a, order, room);
+  room.reserve(4 * n);
+  if (reordered) permute<2>(sorted.listed, order, room), permute<1>(sorted.particle, order, room);
+  FlowLists found;
+  list_neighbours(m, sorted, found);
+  if (m.keeps_bonds()) {
+    sorted.traction.allocate_for_overwrite(2 * found.neighbours.size(), 8, m.heap);
+    if (s.traction.present()) hand_over(m, lists, s.traction, order, found, sorted.traction);
+    else sorted.traction.fill_zero();
   }
-  const FlowLists old = std::move(lists);
-  const Array traction = std::move(s.traction);
-  list_neighbours(m, s, lists = FlowLists{});
-  s.traction = Array{};
-  if (!m.keeps_bonds()) return reordered;
-  s.traction.allocate_for_overwrite(2 * lists.neighbours.size(), 8, m.heap);
-  if (traction.present()) hand_over(m, old, traction, order, lists, s.traction);
-  else s.traction.fill_zero();
+  if (prepare) prepare(found);
+  // nothing is taken from the heap from here on
+  if (reordered) {
+    permute<4>(s.motion, order, room), permute<4>(s.stress, order, room);
+    for (Array* a : {&s.gap, &s.plastic_strain, &s.wall_shear, &s.wall_limit, &s.dead}) permute<1>(*a, order, room);
+  }
+  s.listed = std::move(sorted.listed), s.particle = std::move(sorted.particle);
+  s.traction = std::move(sorted.traction);
+  lists = std::move(found);
   return reordered;
 }
 

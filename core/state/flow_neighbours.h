@@ -2,13 +2,17 @@
 // and the tractions of the bonds that live on.
 #pragma once
 
+#include <functional>
+
 #include "state/flow_model.h"
 
 namespace vbgpd {
 
 /// Sorts the state by cells of the present positions, lists neighbours and images, hands tractions over. `lists` is the
-/// present one and becomes the new one. Answers whether the particles are stored in another order now.
-bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists);
+/// present one and becomes the new one. Answers whether the particles are stored in another order now. `prepare` gets
+/// the new lists before they are put in place; when it or anything else throws, state and lists are as they were.
+bool search_neighbours(const FlowModel& m, FlowState& s, FlowLists& lists,
+                       const std::function<void(const FlowLists&)>& prepare = {});
 
 /// Law pseudo_spring: joins every pair nearer than the reach of a spring, at rest as it is now; all others part.
 void join_neighbours(const FlowModel& m, FlowState& s, const FlowLists& lists);

@@ -158,6 +158,43 @@ void job_survives(const char* name, vbgpd_status (*make)(vbgpd_model*, vbgpd_job
   }
 }
 
+/// A run-out whose memory ends in the middle of its steps stands after a whole one, and goes on as if nothing had been.
+void run_out_survives() {
+  constexpr std::int64_t kSteps = 400;
+  vbgpd_model* flow = nullptr;
+  CHECK_OK(vbgpd_model_set_f64(model, "strength_reduction_factor", VBGPD_STRLEN, 4));
+  const auto start = [&] {
+    if (flow) CHECK_OK(vbgpd_model_destroy(flow));
+    flow = nullptr;
+    CHECK_OK(vbgpd_model_create_runout(model, &flow));
+  };
+  const auto state_of = [&] {
+    std::uint64_t h = 0;
+    CHECK_OK(vbgpd_model_state_hash(flow, &h));
+    return h;
+  };
+  start();
+  CHECK_OK(vbgpd_model_step(flow, kSteps, nullptr));
+  const std::uint64_t expected = state_of();
+  CHECK(model_number(flow, "max_displacement") > 1);  // neighbours were searched for anew
+  std::int64_t places = 0;
+  for (std::int64_t n = 0;; n += 1 + n / 16, ++places) {
+    start();
+    allocations = 0, fail_at = n;
+    const vbgpd_status s = vbgpd_model_step(flow, kSteps, nullptr);
+    fail_at = -1;
+    if (s != VBGPD_OK) CHECK_STATUS(VBGPD_E_MEMORY, s);
+    const auto done = static_cast<std::int64_t>(model_number(flow, "steps"));
+    CHECK(model_number(flow, "kinetic_energy") >= 0);
+    if (done < kSteps) CHECK_OK(vbgpd_model_step(flow, kSteps - done, nullptr));
+    CHECK(state_of() == expected);
+    if (s == VBGPD_OK) break;
+  }
+  std::printf("%-40s survived failures at %lld places\n", "model_step of a run-out", static_cast<long long>(places));
+  CHECK_OK(vbgpd_model_destroy(flow));
+  CHECK_OK(vbgpd_model_restore_state(model, state));
+}
+
 std::int32_t field(const char* name) {
   std::int32_t f = -1;
   CHECK_OK(vbgpd_field_find(name, VBGPD_STRLEN, &f));
@@ -281,6 +318,7 @@ int main() {
            [&] { return vbgpd_build_info(nullptr, 0, reinterpret_cast<char*>(bytes), sizeof bytes, &size); });
   job_survives("job_run of an equilibrium", vbgpd_job_create_equilibrium);
   job_survives("job_run of a strength reduction", vbgpd_job_create_strength_reduction);
+  run_out_survives();
   CHECK_OK(vbgpd_state_destroy(state));
   CHECK_OK(vbgpd_model_destroy(model));
   CHECK_OK(vbgpd_profile_destroy(profile));
