@@ -71,7 +71,8 @@ class RunoutJob final : public SliceJob {
         diverge();
         co_return;
       }
-      if (r.unbalanced_force_ratio < kEquilibrium) break;
+      gravity_ratio_ = r.unbalanced_force_ratio;
+      if (gravity_ratio_ < kEquilibrium) break;
       co_yield Pause{};
     }
     simulation_.halt();
@@ -83,7 +84,8 @@ class RunoutJob final : public SliceJob {
     const Real begun = simulation_.get("time");
     weight_height_ = simulation_.get("total_mass") * simulation_.scene().gravity * simulation_.get("height");
     // a model that had come to rest may have been driven anew: it is given time to set out again
-    const Real earliest = has_come_to_rest() ? begun + 2 * fall : begun;
+    const bool rested = has_come_to_rest() || (begun > 2 * fall && never_set_out());
+    const Real earliest = rested ? begun + 2 * fall : begun;
     for (;;) {
       const Real time = simulation_.get("time");
       progress_.unbalanced_force_ratio = simulation_.get("unbalanced_force_ratio");
@@ -92,12 +94,12 @@ class RunoutJob final : public SliceJob {
         at_rest("the kinetic energy fell below 1e-6 of its peak");
         break;
       }
-      if (stands(time, fall)) break;
+      if (time > earliest && stands(time, fall)) break;
       if (end > 0 && time >= end) {
         result_.status = "TIME_REACHED", result_.reason = "the end time was reached; " + kinetic_energy_now();
         break;
       }
-      if (end == 0 && time > longest) {
+      if (end == 0 && time - begun > longest) {
         result_.status = "NOT_CONVERGED", outcome_ = Status::kNotConverged;
         result_.reason = "not at rest after " + number_text(time, 4) + " s; " + kinetic_energy_now();
         break;
@@ -120,13 +122,15 @@ class RunoutJob final : public SliceJob {
 
   bool has_come_to_rest() const { return kinetic() < kRest * peak() && peak() > kSetOut * weight_height_; }
 
+  bool never_set_out() const { return peak() < kSetOut * weight_height_ && kinetic() < kStanding * weight_height_; }
+
   /// A slope that never set out: it stands still, or vibrates without going any farther (elastic waves hardly fade).
   bool stands(Real time, Real fall) {
     constexpr Real kStays = 0.5;  // spacings
     constexpr Real kLong = 4;     // times of fall
     const Real spacing = std::sqrt(simulation_.get("spacing_x") * simulation_.get("spacing_y"));
     const Real standing = simulation_.get("standing_time");
-    if (time > 2 * fall && peak() < kSetOut * weight_height_ && kinetic() < kStanding * weight_height_) {
+    if (time > 2 * fall && never_set_out()) {
       at_rest("the slope stands: it never set out");
       return true;
     }
@@ -161,6 +165,9 @@ class RunoutJob final : public SliceJob {
     if (!std::isnan(shape.stopped_at))
       result_.reason += "; the front has come up to the end of the section at x = " + number_text(shape.stopped_at) +
                         " m: a longer section would let it go farther";
+    if (gravity_ratio_ >= kEquilibrium)
+      result_.reason += "; the gravity state it set out from was not at rest (unbalanced force ratio " +
+                        number_text(gravity_ratio_, 2) + ")";
     tell_of_water();
     constexpr Real kBalanced = 0.01;
     if (result_.energy_residual > kBalanced)
@@ -188,6 +195,7 @@ class RunoutJob final : public SliceJob {
   }
 
   Real weight_height_ = 0;  ///< of the section, J/m
+  Real gravity_ratio_ = 0;  ///< unbalanced force ratio of the gravity state, where one was made
 };
 
 }  // namespace

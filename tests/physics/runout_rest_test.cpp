@@ -44,6 +44,19 @@ TEST(RunoutRest, ASlopeThatStandsIsSaidToStand) {
   EXPECT_LT(s->get("time"), 20 * std::sqrt(10 / 9.81));
 }
 
+TEST(RunoutRest, AStandingSlopeThatIsDrivenIsGivenTimeToSetOut) {
+  const auto s = runout(slope(soil("mohr_coulomb", 10e3, 20), 1));
+  s->set("damping", 0.3);
+  ASSERT_EQ(make_runout_job(*s)->run(0, {}), Status::kOk);
+  const double before = s->get("time");
+  EXPECT_LT(s->get("max_displacement"), 0.1);
+  s->set("damping", 0), s->set("strength_reduction_factor", 2);
+  const auto job = make_runout_job(*s);
+  ASSERT_EQ(job->run(0, {}), Status::kOk) << job->result().reason;
+  EXPECT_GT(s->get("time"), before + 1) << job->result().reason;
+  EXPECT_GT(s->get("max_displacement"), 1);
+}
+
 TEST(RunoutRest, AnEndTimeBeforeThatIsSaidWithTheEnergyThatIsLeft) {
   const auto s = runout(bar_column(8));
   const auto job = make_runout_job(*s);
