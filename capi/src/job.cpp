@@ -51,12 +51,12 @@ bool found_a_mechanism(const Job& job) {
   throw Error(issue);
 }
 
-// However a slice ends: a finished job counts on its model no longer.
+// However a slice ends: a job that has finished, or was refused before it began, counts on its model no longer.
 class JobEnds {
  public:
   explicit JobEnds(JobObject& object) : object_(object) {}
   ~JobEnds() {
-    if (object_.job->finished()) object_.end();
+    if (object_.job->finished() || !object_.job->started()) object_.end();
   }
   JobEnds(const JobEnds&) = delete;
   JobEnds& operator=(const JobEnds&) = delete;

@@ -95,6 +95,7 @@ class Job {
   virtual void cancel() noexcept = 0;                         ///< any thread, signal-safe
   virtual void set(std::string_view name, double value) = 0;  ///< throws Error(kUnknownName | kRange | kState)
   virtual double get(std::string_view name) const = 0;  ///< options and results by name; throws Error(kUnknownName)
+  virtual bool started() const = 0;  ///< a run has begun: options are settled
   virtual bool finished() const = 0;
   virtual const Progress& progress() const = 0;
   virtual const JobResult& result() const = 0;

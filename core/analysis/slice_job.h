@@ -17,6 +17,7 @@ class SliceJob : public Job {
   void cancel() noexcept final { cancel_.store(true, std::memory_order_relaxed); }
   void set(std::string_view name, double value) final;
   double get(std::string_view name) const final;
+  bool started() const final { return started_; }
   bool finished() const final { return finished_; }
   const Progress& progress() const final { return progress_; }
   const JobResult& result() const final { return result_; }

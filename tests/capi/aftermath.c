@@ -97,6 +97,21 @@ static void the_energy_books_begin_anew_after_a_relaxation(vbgpd_context* contex
   CHECK_OK(vbgpd_model_destroy(model));
 }
 
+static void a_job_refused_for_its_options_leaves_the_model_free(vbgpd_context* context) {
+  vbgpd_model* model = make_model(context, 2.0);
+  vbgpd_job* job = NULL;
+  CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
+  CHECK_OK(vbgpd_job_set_f64(job, "srf_min", VBGPD_STRLEN, 2));
+  CHECK_OK(vbgpd_job_set_f64(job, "srf_max", VBGPD_STRLEN, 1));
+  CHECK_STATUS(VBGPD_E_RANGE, vbgpd_job_run(job, 0, NULL, NULL, NULL));
+  CHECK_OK(vbgpd_model_step(model, 1, NULL));
+  CHECK_OK(vbgpd_job_set_f64(job, "srf_max", VBGPD_STRLEN, 3)); /* put right, it runs */
+  CHECK_OK(vbgpd_job_set_f64(job, "srf_min", VBGPD_STRLEN, 0.5));
+  CHECK_OK(vbgpd_job_run(job, 0, NULL, NULL, NULL));
+  CHECK_OK(vbgpd_job_destroy(job));
+  CHECK_OK(vbgpd_model_destroy(model));
+}
+
 int main(void) {
   vbgpd_context* context = make_context();
   a_diverged_equilibrium_leaves_the_last_good_state(context);
@@ -105,6 +120,7 @@ int main(void) {
   a_name_no_file_could_hold_is_invalid(context);
   a_restored_state_brings_damping_and_time_step_back(context);
   the_energy_books_begin_anew_after_a_relaxation(context);
+  a_job_refused_for_its_options_leaves_the_model_free(context);
   CHECK_OK(vbgpd_context_destroy(context));
   return 0;
 }
