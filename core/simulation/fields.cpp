@@ -77,7 +77,7 @@ constexpr NamedValue kValues[] = {
      false, false},
     {"energy_residual", "1",
      "external work - kinetic - elastic - dissipated, relative to the largest of them (velocities brought to the time "
-     "of the displacements)",
+     "of the displacements); nan where walls are moved, whose work is not booked",
      0, 0, kInf, false, false},
 };
 

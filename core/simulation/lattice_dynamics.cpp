@@ -38,7 +38,7 @@ StepReport LatticeSimulation::march(const Goal& goal, const StepWatch& watch) {
       kept = state_, kept_ledger = ledger_, kept_at = report.steps, kept_time = time_;
     Sums sums;
     run_step(data(state_, scratch_), c, sums);
-    if (!(sums.velocity2 < runaway)) {
+    if (!(sums.velocity2 < runaway) || !std::isfinite(sums.unbalanced)) {
       state_ = kept, ledger_ = kept_ledger;
       steps_ -= report.steps - kept_at, time_ = kept_time;
       return {kept_at, Status::kDiverged, {}, report.speed_share, report.energy_share, kOutranWaves};

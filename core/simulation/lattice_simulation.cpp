@@ -208,7 +208,7 @@ RelaxReport LatticeSimulation::relax(std::int64_t steps, const RelaxOptions& opt
     if (options.local_damping == 0 && sums.power < 0) since_restart_ = 0;
     ++r.steps;
     r.external_work += sums.external_work, r.internal_work += sums.internal_work, r.plastic_work += sums.plastic_work;
-    if (!(sums.displacement2 < runaway * runaway)) {
+    if (!(sums.displacement2 < runaway * runaway) || !std::isfinite(sums.unbalanced)) {
       r.diverged = true;
       break;
     }

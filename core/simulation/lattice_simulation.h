@@ -121,6 +121,7 @@ class LatticeSimulation final : public Simulation {
   /// Something other than a dynamic step moves the soil: what energy it then has is not booked.
   void unbook() { audit_.valid = ledger_.open = false; }
   Real energy_residual() const;
+  bool walls_move() const;
   /// Energy that has come out of nothing since the audit before, as a share of what is tolerated; above 1 the state is
   /// that of the audit before. Every so many steps; between them what the last one found.
   Real audit();
