@@ -10,7 +10,7 @@ namespace vbgpd {
 extern const FlowStepTable VBGPD_JOIN(kFlowTable_, VBGPD_ISA);
 const FlowStepTable VBGPD_JOIN(kFlowTable_, VBGPD_ISA) = {
     {&flow_step<VirtualBonds, false>, &flow_step<VirtualBonds, true>},
-    {&flow_step<NoBonds, false>, &flow_step<NoBonds, true>},
+    {&flow_step<CorrectedSph, false>, &flow_step<CorrectedSph, true>},
     {&flow_step<PlainSph, false>, nullptr},
     {&flow_step<ArtificialStress, false>, nullptr},
     {&flow_step<PseudoSprings, false>, nullptr},

@@ -21,7 +21,7 @@ struct VirtualBonds {
 };
 
 /// The same without the bonds.
-struct NoBonds : VirtualBonds {
+struct CorrectedSph : VirtualBonds {
   static constexpr bool kBonds = false;
 };
 
