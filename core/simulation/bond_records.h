@@ -14,7 +14,8 @@ void for_each_record(const Model& m, F&& f) {
     for (int l = 0; l < m.width; ++l) {
       const auto i = static_cast<std::size_t>(p.i + l), j = static_cast<std::size_t>(p.j + l);
       if (((p.lanes >> l) & 1) == 0 || m.seed_of[i] < 0 || m.seed_of[j] < 0) continue;
-      const auto first = static_cast<std::size_t>(bonded ? p.slot * m.width : p.i);
+      const auto first =
+          bonded ? static_cast<std::size_t>(p.slot) * static_cast<std::size_t>(m.width) : static_cast<std::size_t>(p.i);
       f(p, l, i, j, 3 * first + static_cast<std::size_t>(l));
     }
 }

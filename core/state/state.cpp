@@ -34,7 +34,8 @@ namespace {
 
 Offset off_lattice_offset(const Model& m, std::int32_t first, std::int32_t second, std::int32_t record, int l) {
   const auto i = static_cast<std::size_t>(first + l), j = static_cast<std::size_t>(second + l);
-  const Real weight = m.pair_weight[static_cast<std::size_t>(record * m.width + l)];
+  const auto place = static_cast<std::size_t>(record) * static_cast<std::size_t>(m.width) + static_cast<std::size_t>(l);
+  const Real weight = m.pair_weight[place];
   return offset_of(m.place_x[j] - m.place_x[i], m.place_y[j] - m.place_y[i], weight);
 }
 
