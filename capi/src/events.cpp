@@ -1,6 +1,7 @@
 #include "events.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "convert.h"
 #include "guard.h"
@@ -95,9 +96,10 @@ vbgpd_status vbgpd_model_events_read(vbgpd_model* model, int64_t after, vbgpd_ev
     const std::int64_t given = std::min(count, cap);
     const std::uint32_t size = cap > 0 ? dst->struct_size : 0;
     for (std::int64_t k = 0; k < given; ++k) {
-      auto* const to = reinterpret_cast<vbgpd_event*>(reinterpret_cast<char*>(dst) + k * stride);
-      to->struct_size = size;
-      fill(to, events.at(first + k));
+      vbgpd_event event = events.at(first + k);
+      event.struct_size = size;
+      // at a stride of the caller nothing need be aligned
+      std::memcpy(reinterpret_cast<char*>(dst) + k * stride, &event, std::min<std::size_t>(size, sizeof event));
     }
     if (n != nullptr) *n = cap == 0 ? count : given;
     if (dropped != nullptr) *dropped = first - 1 - seen;
