@@ -33,7 +33,6 @@ enum class Status : std::int32_t {
   kFormat = -13,
   kVersion = -14,
   kDiverged = -15,
-  kCallback = -16,
   kUnsupported = -17,
   kInternal = -99,
 };

@@ -44,13 +44,6 @@ VBGPD_INLINE FirstTwo load_first_two(const double* records, const std::int32_t* 
   return {__builtin_shufflevector(r0, r1, 0, 4, 2, 6), __builtin_shufflevector(r0, r1, 1, 5, 3, 7)};
 }
 
-/// Lanes of a pack one by one, through memory: a broadcast load costs no shuffle. For sums by component over records.
-struct Lanes {
-  alignas(32) double lane[4];
-  VBGPD_INLINE explicit Lanes(Pack v) { store(lane, v); }
-  VBGPD_INLINE Pack operator[](int k) const { return broadcast(lane[k]); }
-};
-
 /// Sums over the lanes of four packs at once.
 VBGPD_INLINE Pack sums_of(Pack a, Pack b, Pack c, Pack d) {
   const Quads t = turned(a, b, c, d);
