@@ -12,8 +12,9 @@ struct FlowApproach {
   Pack sx{}, sy{}, energy{};  ///< guard
 };
 
-/// Monaghan's viscosity on approach: V_i V_j rho omega (alpha c h) (v . xi)/(r2 + 0.01 h2) xi, v . xi < 0; mass: rho
-/// V_i V_j
+/// Monaghan's viscosity on approach: V_i V_j rho omega (alpha c h) (v . xi)/(r2 + 0.01 h2) xi, v . xi < 0.
+///
+/// mass: rho V_i V_j
 VBGPD_INLINE void add_viscosity(const FlowControls& c, Pack x, Pack y, Pack r2, Pack vx, Pack vy, Pack weight,
                                 Pack mass, FlowApproach& s) {
   const Pack closing = smaller(vx * x + vy * y, Pack{});

@@ -16,9 +16,11 @@ struct FlowBondSums {
   Pack wx{}, wy{};                  ///< sum V_j omega xi
 };
 
-/// Four bonds of particle i (the first line is for laws with such bonds):
-///   q = (v_j - v_i)/r - Lbar n,  tau <- min(rm_i, rm_j) [turned tau + chi G dt q],  B = V_i V_j omega (1/w0_i +
-///   1/w0_j)
+/// Four bonds of particle i; tractions are for laws with such bonds:
+///
+///   q = (v_j - v_i)/r - Lbar n,  tau <- min(rm_i, rm_j) [turned tau + chi G dt q],
+///
+///   B = V_i V_j omega (1/w0_i + 1/w0_j)
 template <class PairLaw, bool kDiffuse>
 VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std::int32_t p, FlowBondSums& s) {
   const std::int32_t* const j = d.neighbours + 4l * p;
@@ -56,9 +58,12 @@ VBGPD_INLINE void add_bonds(const FlowData& d, const FlowControls& c, int i, std
   }
 }
 
-/// in  motion, gradient, stress, bond, slope_x (inverse moment)   in/out  traction   out  flux P = Z M^-1 / V with Z =
-/// V (sigma - p I) - sum B tau (x) n/2, pair_force, artificial, and (kDiffuse) slope_x, slope_y: half the gradient of
-/// the stress among the soil
+/// in  motion, gradient, stress, bond, slope_x (inverse moment)
+///
+/// in/out  traction
+///
+/// out  flux P = Z M^-1 / V with Z = V (sigma - p I) - sum B tau (x) n/2, pair_force, artificial, and (kDiffuse)
+/// slope_x, slope_y: half the gradient of the stress among the soil
 template <class PairLaw, bool kDiffuse>
 inline void bond_pass(const FlowData& shared, const FlowControls& shared_controls, int first, int last,
                       FlowSums& sums) {

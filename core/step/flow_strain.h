@@ -139,9 +139,13 @@ VBGPD_INLINE FlowSoils soils_at(const FlowData& d, const FlowControls& c, const 
 }
 
 /// L = [sum_j V_j omega_ij (v_j - v_i) (x) xi] M^-1; mirror images take part.
-/// in  motion (ghosts too)   in/out  stress, gap, plastic_strain, dead, springs (traction)   out  gradient, inverse,
-/// bond; left for later passes: in next_motion the forces of viscosity and guard, (kDiffuse) in slope_x the inverse
-/// moment of the soil alone
+///
+/// in  motion (ghosts too)
+///
+/// in/out  stress, gap, plastic_strain, dead, springs (traction)
+///
+/// out  gradient, inverse, bond; left for later passes: in next_motion the forces of viscosity and guard, (kDiffuse) in
+/// slope_x the inverse moment of the soil alone
 template <class PairLaw, bool kDiffuse>
 inline void strain_pass(const FlowData& shared, const FlowControls& shared_controls, int first, int last,
                         FlowSums& sums) {

@@ -49,11 +49,17 @@ VBGPD_INLINE Stress<Pack> returned(const FlowSoils& soils, const Stress<Pack>& t
 }
 
 /// stress: deviator xx, yy, xy and mean; l: velocity gradient xx, xy, yx, yy at the end of the drift. The gradient in
-/// the middle of it, G = L (1 - L dt/2)^-1, is exactly antisymmetric for a rigid turn (Hughes & Winget 1980). 1 a
-/// particle that came apart in tension closes before it carries pressure again (without that memory it would be
-///   given volume and energy);
-/// 2 the deviator turns exactly by the angle of that turn;
-/// 3 elastic increment; 4, 5 tension cut-off and yield surface by the return of the law.
+/// the middle of it, G = L (1 - L dt/2)^-1, is exactly antisymmetric for a rigid turn (Hughes & Winget 1980).
+///
+///   1. A particle that came apart in tension closes before it carries pressure again (without that memory it would be
+///      given volume and energy).
+///
+///   2. The deviator turns exactly by the angle of that turn.
+///
+///   3. Elastic increment.
+///
+///   4. Tension cut-off, and 5. yield surface, by the return of the law.
+///
 /// Where the law lets particles die, `dead` turns 1 with the first return and leaves pressure only. around: sum V
 /// omega. A loose grain, disturbed soil without two neighbours a spacing away, has contacts and neither stress nor
 /// bonds (measured: with the stress of a continuum grains bounce off the toe). What diffuses into it is gone a step

@@ -24,8 +24,11 @@ inline void weigh_pass(const StepData& shared, const Chunk& chunk) {
 /// (measured: slopes without tension come to no verdict). In true dynamics it is kept as plastic volume: bonds give
 /// back other work than they took where their other end has changed (measured: an impact gains energy). Handing such
 /// volume to neighbours through the bonds, as dilatancy is, would pump energy into those under pressure (measured:
-/// cohesionless faces blow up). With kLedger by how much it opened in this step is kept for the books. in  u [n] m,
-/// plastic_volume [n]   out  L [n], gap [n], dilation = tr L - theta^p - gap [n]; sums of VB5 set to zero
+/// cohesionless faces blow up). With kLedger by how much it opened in this step is kept for the books.
+///
+/// in  u [n] m, plastic_volume [n]
+///
+/// out  L [n], gap [n], dilation = tr L - theta^p - gap [n]; sums of VB5 set to zero
 template <class Sites, bool kLedger>
 inline void gradient_pass(const StepData& shared, const Controls& c, const Chunk& chunk) {
   const StepData d = shared;  // its pointers stay in registers across stores
