@@ -24,8 +24,8 @@ struct SlipSurface {
   double sliding_area = 0;  ///< of the moving mass, m2
 };
 /// The slip line of the motion between two instants: the edge of the moving mass inside the soil (|du| = half the
-/// motion of the mass), each point drawn to the plastic-rate weighted centre of the band along the edge's normal
-/// (method 5.4), smoothed.
+/// motion of the mass), each point drawn to the plastic-rate weighted centre of the band along the edge's normal,
+/// smoothed.
 SlipSurface slip_surface(const Simulation& simulation, const Instant& before, const Instant& after);
 
 }  // namespace vbgpd

@@ -45,7 +45,7 @@ inline LawConstants derive(const AnyLaw& law, Real young_modulus, Real poisson_r
   return c;
 }
 
-/// Strength reduced by F: c/F, atan(tan phi / F), psi not above phi, tension cut-off/F (method 5.1).
+/// Strength reduced by F: c/F, atan(tan phi / F), psi not above phi, tension cut-off/F.
 inline Strength reduced(const Strength& s, Real factor) {
   Strength r;
   r.cohesion = s.cohesion / factor;

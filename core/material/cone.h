@@ -17,7 +17,7 @@ struct Cone {
   VBGPD_INLINE explicit Cone(const LawConstants& c)
       : shear(c.shear_modulus), bulk(c.bulk_modulus), a(c.a), b(c.b), t(c.t), k(filled<R>(c.k)) {}
 
-  /// Closed-form return (method 4.3): mean stress capped at t, then
+  /// Closed-form return: mean stress capped at t, then
   ///   dlambda = f / (G + 9 K alpha_phi alpha_psi),  sqrt(J2) -= G dlambda,  m -= 3 K alpha_psi dlambda,
   /// and the apex where sqrt(J2) would turn negative. Exact: a second return changes nothing.
   VBGPD_INLINE Returned<R> returned(const Stress<R>& trial) const {

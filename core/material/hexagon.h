@@ -1,5 +1,5 @@
 // Return to the Mohr-Coulomb planes with a tension cut-off, in principal stresses: main plane, two edges, apex,
-// cut-off (method 4.4; de Souza Neto et al. 2008, ch. 8).
+// cut-off (de Souza Neto et al. 2008, ch. 8).
 #pragma once
 
 #include "material/constants.h"

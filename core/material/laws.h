@@ -24,8 +24,7 @@ struct Elastic {
   static void derive(const Strength&, LawConstants&) {}
 };
 
-/// Drucker-Prager with the constants that match Mohr-Coulomb in plane strain for the dilatancy angle at hand
-/// (method 4.3, row 2):
+/// Drucker-Prager with the constants that match Mohr-Coulomb in plane strain for the dilatancy angle at hand:
 ///   alpha_psi = sin psi / sqrt(9 + 3 sin^2 psi),  D = sqrt(1 - 3 alpha_psi^2) + alpha_psi sin phi,
 ///   alpha_phi = sin phi / (3 D),  k = c cos phi / D.
 /// psi = phi gives the classical associated match, psi = 0 gives alpha = sin phi / 3, k = c cos phi.

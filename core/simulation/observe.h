@@ -26,8 +26,7 @@ template <class F>
 void for_each_bond(const Model& m, const State& s, const Scratch& scratch, const std::vector<LawConstants>& constants,
                    Real cohesion_scale, F&& f);
 
-/// Particle averages sigma_i = sum_j w~ V_j sigma_ij / sum_j w~ V_j and the like (method 3.3, last paragraph). By
-/// storage index.
+/// Particle averages sigma_i = sum_j w~ V_j sigma_ij / sum_j w~ V_j and the like, by storage index.
 struct ParticleFields {
   std::vector<Real> xx, yy, zz, xy, plastic_strain, plastic_fraction;
 };

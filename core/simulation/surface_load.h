@@ -18,7 +18,7 @@ void spread_surface_loads(const std::vector<LoadDef>& loads, const Section& sect
                           const std::function<Real(std::size_t)>& area,
                           const std::function<void(std::size_t, Real)>& push);
 
-/// Adds the loads to m.force_y through the discrete normal of the operators (method 4.12):
+/// Adds the loads to m.force_y through the discrete normal of the operators:
 ///   f_i = -q a_i n_i,  a_i n_i = -sum_j (V_i Phi_ij - V_j Phi_ji)
 /// on all rows near the surface where it is not zero, scaled so that each load's total on the soil is exact. Upright
 /// rollers get the image of what loads the soil beside them.

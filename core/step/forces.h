@@ -1,4 +1,4 @@
-// Forces from virtual power (VB5), damping, and the symplectic step of method 4.11, in one sweep over the particles.
+// Forces from virtual power (VB5), damping, and the symplectic Euler step, in one sweep over the particles.
 #pragma once
 
 #include "base/pack.h"

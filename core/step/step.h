@@ -1,4 +1,4 @@
-// One step of virtual-bond general particle dynamics, as method 3.6 writes it (total-Lagrangian: bonds are fixed).
+// One step of virtual-bond general particle dynamics (core/README.md, "The step"; total-Lagrangian: bonds are fixed).
 #pragma once
 
 #include "base/parallel.h"
@@ -44,7 +44,7 @@ void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial,
       partial[k].plastic_work += Bonds::template pass<Sites, Hexagon, kLedger>(d, c, d.chunks[k]);
   };
 
-  // forces from virtual power, gravity, loads, damping; integrate; monitors                VB5, method 4.10, 4.11
+  // forces from virtual power, gravity, loads, damping; integrate; monitors                VB5
   const auto flux = [&](int k) { partial[k].plastic_work += flux_pass<kLedger>(d, d.chunks[k]); };
   const auto move = [&](int k) {
     const double plastic_work = partial[k].plastic_work;

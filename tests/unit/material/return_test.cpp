@@ -195,7 +195,7 @@ TEST(DruckerPrager, MatchesMohrCoulombInPlaneStrainFlowForAnyDilatancy) {
 TEST(DruckerPrager, ConstantsReproduceTheFourRowTable) {
   const Real phi = radians(20), c = 1e4, t = std::tan(phi), root = std::sqrt(9 + 12 * t * t);
   const LawConstants associated = derive(DruckerPrager{}, 1e8, 0.3, soil(c, 20, 20));
-  EXPECT_NEAR(associated.a, 3 * t / root, 1e-14);      // method 4.3 row 1: alpha = tan phi / sqrt(9 + 12 tan^2 phi)
+  EXPECT_NEAR(associated.a, 3 * t / root, 1e-14);      // row 1: alpha = tan phi / sqrt(9 + 12 tan^2 phi)
   EXPECT_NEAR(associated.k, 3 * c / root, 1e-10 * c);  // row 1: k = 3c / sqrt(9 + 12 tan^2 phi)
   EXPECT_NEAR(associated.b, 3 * t / root, 1e-14);      // alpha_psi, same form
   const LawConstants isochoric = derive(DruckerPrager{}, 1e8, 0.3, soil(c, 20, 0));
