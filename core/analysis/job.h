@@ -26,7 +26,8 @@ struct Progress {
 
 enum class Verdict : int { kUndecided = 0, kStable = 1, kFailed = 2 };
 
-/// One strength reduction factor that was tried, with its evidence (method.md 5.3: three signals together).
+/// One strength reduction factor that was tried, with its evidence (three signals together: core/README.md, "Strength
+/// reduction").
 struct Trial {
   int level = 0;
   Verdict verdict = Verdict::kUndecided;
@@ -58,7 +59,7 @@ struct Level {
 struct JobResult {
   std::string status = "NOT_RUN";  ///< OK, AT_REST, TIME_REACHED, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX,
                                    ///< NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE,
-                                   ///< ENERGY_UNBALANCED, TARGET_NOT_MET, DIVERGED, REFUSED, NO_MEMORY
+                                   ///< ENERGY_UNBALANCED, TARGET_NOT_MET, DIVERGED, REFUSED, NO_MEMORY, INTERNAL
   std::string reason, scheme, reduced, flow_rule;
   double factor_of_safety = kNone, srf_stable = kNone, srf_unstable = kNone, error_estimate = kNone;
   double displacement_level = kNone, sliding_area = kNone, energy_residual = kNone;
@@ -69,7 +70,7 @@ struct JobResult {
   double crest_settlement = kNone, toe_displacement = kNone, runout_distance = kNone, moved_area = kNone,
          plastic_fraction = kNone;
   std::int64_t steps = 0;
-  double wall_seconds = 0, cpu_seconds = 0;
+  double wall_seconds = 0, cpu_seconds = 0;  ///< the latter of the whole process, all its threads
   std::vector<Level> levels;
   std::vector<Trial> trials;
   std::vector<Point> slip_surface;  ///< left to right, scene coordinates

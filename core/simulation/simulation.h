@@ -68,7 +68,7 @@ struct CompileOptions {
 
 struct StepReport {
   std::int64_t steps = 0;
-  Status status = Status::kOk;  ///< kOk, kCancelled or kDiverged (then the state is that of the last good step)
+  Status status = Status::kOk;  ///< kOk, kCancelled or kDiverged (back at a good step, at most 512 before)
   std::optional<Real> unbalanced_force_ratio{};  ///< of the forces the last step moved with; none without a good step
   Real speed_share = 0, energy_share = 0;  ///< largest shares of the two limits that good steps reached; given up at 1
   const char* cause = nullptr;             ///< of kDiverged, in words

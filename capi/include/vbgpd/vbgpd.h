@@ -74,7 +74,7 @@ typedef int32_t vbgpd_status;
 #define VBGPD_E_BUFFER -12 /* caller's buffer too small; *needed is set */
 #define VBGPD_E_FORMAT -13 /* flatbuffer refused by the verifier */
 #define VBGPD_E_VERSION -14
-#define VBGPD_E_DIVERGED -15 /* NaN/Inf or runaway step; the model is at the last good step and readable */
+#define VBGPD_E_DIVERGED -15 /* NaN/Inf or runaway step; the model is back at a good step before it (see vbgpd_model_step) and readable */
 #define VBGPD_E_UNSUPPORTED -17
 #define VBGPD_E_INTERNAL -99
 VBGPD_API const char* VBGPD_CALL vbgpd_status_name(vbgpd_status s); /* [any-thread] static text, "VBGPD_E_RANGE" */
@@ -289,7 +289,8 @@ typedef struct vbgpd_advance_result {
 } vbgpd_advance_result;
 /* Explicit dynamic steps with true masses at the stable time step. r may be NULL.
  * VBGPD_E_DIVERGED: a particle outran the waves, or energy came out of nothing (5 % of what the motion holds or turned over; looked
- * at every 512 steps, not where walls are moved); the model is back at the last good step and readable. VBGPD_CANCELLED: between two steps. */
+ * at every 512 steps, not where walls are moved); the model is back at a good step and readable: at most 64 steps before (a run-out
+ * 256), or at the last look at the energy, which may be before this call. VBGPD_CANCELLED: between two steps. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_step(vbgpd_model*, int64_t steps, vbgpd_advance_result* r);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_cancel(vbgpd_model*); /* [any-thread] [signal-safe] */
 /* Dynamic steps of equal length, none longer than the stable one, that end exactly at time (s); VBGPD_OK = there.
@@ -377,10 +378,11 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] 
 /* After it finished: factor_of_safety, srf_stable, srf_unstable, error_estimate, displacement_level, sliding_area,
  * energy_residual, levels, trials, steps, particles, bonds, wall_seconds, cpu_seconds, observed_order (of three grids),
  * next_level_spacing and next_level_seconds (one more grid, predicted). NaN where it has no value.
+ * cpu_seconds is the processor time that the whole process, all its threads, took while the job ran.
  * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_f64(const vbgpd_job*, const char* name, int64_t len, double* value);
 /* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, ENERGY_UNBALANCED:
- * the value of the finest grid is given as it is; TARGET_NOT_MET; DIVERGED; REFUSED: a grid could not be made; NO_MEMORY), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
+ * the value of the finest grid is given as it is; TARGET_NOT_MET; DIVERGED; REFUSED: a grid could not be made; NO_MEMORY; INTERNAL), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 
 /* One strength reduction factor that was tried, with its evidence. */
@@ -408,7 +410,7 @@ typedef struct vbgpd_level {
   double spacing_x, spacing_y;
   int64_t particles, bonds, steps, trials;
   double srf_stable, srf_unstable, factor_of_safety; /* of this grid alone */
-  double wall_seconds, cpu_seconds;
+  double wall_seconds, cpu_seconds;                  /* the latter of the whole process, as that of the job */
   double estimate, error_estimate;                   /* from this grid and the coarser ones */
   double sliding_area;                               /* of the mechanism on this grid, m2 */
 } vbgpd_level;
@@ -498,7 +500,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_state_hash(const vbgpd_model*, uin
 #define VBGPD_EVENT_FIRST_YIELD 1 /* the first bonds turned plastic: id_a, id_b and x, y of the one that did most, value its strain */
 #define VBGPD_EVENT_AT_REST 2     /* dynamic steps came to rest: value = unbalanced force ratio, below 1e-5 */
 #define VBGPD_EVENT_MECHANISM 3   /* a job found the slope failing: value = strength reduction factor of the model */
-#define VBGPD_EVENT_DIVERGED 4    /* the model is back at the last good step */
+#define VBGPD_EVENT_DIVERGED 4    /* the model is back at a good step, see vbgpd_model_step */
 /* dynamic steps reached a fifth of the speed, or half of the energy out of nothing, that ends them: value = share of that limit */
 #define VBGPD_EVENT_NEAR_DIVERGENCE 5
 typedef struct vbgpd_event {
