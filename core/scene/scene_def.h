@@ -18,7 +18,7 @@ using Polygon = std::vector<Point>;  ///< any winding, first vertex not repeated
 /// The units a scene was written in, for messages; every number here is in SI.
 enum class Units { kSI, kKilopascal };
 
-/// A soil. `law` names an entry of material/any_material.h. kNone (NaN) marks a value the user left out.
+/// A soil. `law` names an entry of AnyLaw (material/any_law.h). kNone (NaN) marks a value the user left out.
 struct MaterialDef {
   std::string name;
   std::string law = "mohr_coulomb";      ///< elastic, drucker_prager, mohr_coulomb, undrained

@@ -18,8 +18,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr FieldInfo kFields[] = {
     {"position", "m", "present position x, y", kParticle, kReal, 2},
-    {"reference_position", "m", "position x, y in the undeformed section (centre of the lattice cell)", kParticle,
-     kReal, 2},
+    {"reference_position", "m",
+     "position x, y in the undeformed section: centre of the lattice cell (in a run-out, of its soil) plus the jitter",
+     kParticle, kReal, 2},
     {"displacement", "m", "displacement x, y since creation", kParticle, kReal, 2},
     {"velocity", "m s-1", "velocity x, y (per pseudo-time while a quasi-static job is under way)", kParticle, kReal, 2, true},
     {"stress", "Pa", "Cauchy stress xx, yy, zz, xy, tension positive; effective where there is pore pressure",

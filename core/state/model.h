@@ -82,8 +82,8 @@ struct Model {
   std::size_t bytes() const;
 };
 
-/// Everything that changes. `for_each_array` is the ONE list of its arrays: it serves memory count, copy, hash and
-/// checkpoint.
+/// Everything that changes. `for_each_array` is the ONE list of its arrays: it serves memory count, hash and
+/// clearing. What else knows them by name: core/README.md, "To add ...".
 struct State {
   Array displacement_x, displacement_y;  ///< m
   Array velocity_x, velocity_y;          ///< m/s (relaxation: m per pseudo-time)

@@ -19,7 +19,7 @@ struct FlowLaw {
 /// What drives a run-out step: it changes between steps, never inside one.
 struct FlowControls {
   double time_step = 0;
-  double local_damping = 0;    ///< alpha of f_d = -alpha |f| sgn v, for the gravity state only
+  double local_damping = 0;    ///< alpha of f_d = -alpha |f| sgn v: the value "damping", or that of a relaxation
   double inverse_support = 0;  ///< 1/(2h)
   double support2 = 0;         ///< (2h)^2
   double weight_scale = 0;     ///< 35 / (4 pi h^4)
@@ -38,7 +38,7 @@ struct FlowControls {
   double image_reach = 0;                ///< mirror images farther away than that are not seen, m
   double friction_rate = 0;              ///< how much of a change of the normal force on a Coulomb wall a step takes in
   int walls_hold = 0;                    ///< 1: Coulomb walls hold whatever comes, while strengths are left out
-  double cohesion_scale = 1;             ///< 1/F, for cohesion that grows with depth; 0 while strengths are left out
+  double cohesion_scale = 1;             ///< 1/F, for cohesion that grows with depth
   const FlowLaw* laws = nullptr;
 };
 
