@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/names.h"
+
 namespace vbgpd {
 
 std::vector<std::size_t> yielding_soils(const Simulation& simulation) {
@@ -10,7 +12,7 @@ std::vector<std::size_t> yielding_soils(const Simulation& simulation) {
   std::vector<bool> there(materials.size(), false);
   for (const Seed& s : simulation.section().seeds) {
     const auto m = static_cast<std::size_t>(s.material);
-    there[m] = there[m] || (s.active && materials[m].law != "elastic");
+    there[m] = there[m] || (s.active && yields(materials[m]));
   }
   std::vector<std::size_t> out;
   for (std::size_t m = 0; m < there.size(); ++m)

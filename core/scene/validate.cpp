@@ -8,6 +8,7 @@
 
 #include "base/types.h"
 #include "scene/limits.h"
+#include "scene/names.h"
 #include "scene/properties.h"
 #include "scene/quantity.h"
 #include "scene/wording.h"
@@ -15,10 +16,6 @@
 namespace vbgpd {
 namespace {
 
-constexpr std::array<std::string_view, 4> kLaws{"elastic", "drucker_prager", "mohr_coulomb", "undrained"};
-constexpr std::array<std::string_view, 6> kBonds{"virtual_bond",          "none",          "sph",
-                                                 "sph_artificial_stress", "pseudo_spring", "gpd"};
-constexpr std::array<std::string_view, 2> kKernels{"wendland_c2", "cubic_spline"};
 constexpr std::array<std::string_view, 3> kSides{"base", "left", "right"};
 constexpr int kPointsReported = 10;  // of one polygon; a file of garbage coordinates needs no million messages
 
@@ -214,7 +211,7 @@ void check_plausible(const MaterialDef& m, Report& report) {
 }
 
 void check_strength(const MaterialDef& m, Report& report) {
-  if (m.law == "elastic") return;
+  if (!yields(m)) return;
   if (std::isnan(m.cohesion))
     report.error(Status::kArgument, "cohesion is missing: law " + quoted(m.law) + " needs it (" +
                                         unit_text("Pa", report.units).substr(1) + ", 0 is allowed with friction)");
@@ -263,7 +260,7 @@ void check_materials(const SceneDef& scene, Report& report) {
       report.error(Status::kArgument,
                    "the name is already that of materials[" + std::to_string(at->second) + "]: names must differ");
     check_text(m.name, "name", report);
-    report.name("law", m.law, kLaws);
+    report.name("law", m.law, kLawNames);
     check_numbers(scene, ObjectKind::kMaterial, id, report);
     check_strength(m, report);
     check_plausible(m, report);
@@ -412,8 +409,8 @@ void check_settings(const SceneDef& scene, Report& report) {
   check_text(scene.name, "name", report);
   check_text(scene.source, "source", report);
   check_numbers(scene, ObjectKind::kProfile, -1, report);
-  report.name("bond", scene.bond, kBonds);
-  report.name("kernel", scene.kernel, kKernels);
+  report.name("bond", scene.bond, kBondNames);
+  report.name("kernel", scene.kernel, kKernelNames);
   const auto& search = scene.strength_reduction;
   if (search.srf_max <= search.srf_min)
     report.error(

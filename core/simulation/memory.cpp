@@ -8,6 +8,7 @@
 
 #include "bond/bond_law.h"
 #include "geometry/polygon.h"
+#include "scene/names.h"
 #include "scene/wording.h"
 #include "simulation/build_model.h"
 #include "simulation/ground_water.h"
@@ -27,7 +28,7 @@ Shape shape_of(const SceneDef& scene) {
   Shape s{bond_law_by_name(scene.bond)->at_rest != BondLaw::kNone};
   double softest = std::numeric_limits<double>::infinity(), stiffest = 0;
   for (const MaterialDef& m : scene.materials) {
-    if (m.law == "elastic") continue;
+    if (!yields(m)) continue;
     s.plastic = true;
     softest = std::min(softest, m.young_modulus), stiffest = std::max(stiffest, m.young_modulus);
     s.volumetric |= m.friction_angle > 0 || !std::isnan(m.tension_cutoff);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/names.h"
 #include "simulation/ground_water.h"
 #include "simulation/lattice_simulation.h"
 
@@ -23,8 +24,6 @@ std::size_t sum_of(const Arrays&... arrays) {
 bool any(const std::vector<MaterialDef>& materials, bool (*has)(const MaterialDef&)) {
   return std::any_of(materials.begin(), materials.end(), has);
 }
-
-bool yields(const MaterialDef& m) { return m.law != "elastic"; }
 
 bool uneven_stiffness(const std::vector<MaterialDef>& materials) {
   const MaterialDef* first = nullptr;

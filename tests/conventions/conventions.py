@@ -32,11 +32,11 @@ for name in sorted({p.relative_to(root).parts[0] for p in files}):
 # 2. who may include whom inside core; every folder may include itself
 MAY = {
     "base": set(),
-    "scene": {"base"},
     "smoothing": {"base"},
     "material": {"base"},
     "bond": {"base"},
     "boundary": {"base"},
+    "scene": {"base", "smoothing", "material", "bond"},
     "geometry": {"base", "scene"},
     "exchange": {"base", "scene"},
     "state": {"base", "scene", "geometry", "smoothing", "material", "bond", "boundary"},

@@ -4,15 +4,15 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 
+#include "bond/bond_law.h"
+#include "material/any_law.h"
 #include "scene/properties.h"
+#include "smoothing/any_kernel.h"
 
 namespace vbgpd {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 SceneDef good_scene() {
   SceneDef scene;
@@ -60,6 +60,37 @@ void expect_warning(const std::string& text, const Change& change) {
 }
 
 TEST(Validate, FindsNothingWrongWithAGoodScene) { EXPECT_TRUE(validate(good_scene()).empty()); }
+
+/// The names of a list of the engine: AnyLaw, AnyKernel.
+template <class... T>
+std::vector<std::string> names_of(const std::variant<T...>*) {
+  return {std::string(T::name)...};
+}
+
+TEST(Validate, AcceptsEverySoilLawOfTheEngine) {
+  for (const std::string& law : names_of(static_cast<const AnyLaw*>(nullptr)))
+    EXPECT_TRUE(issues_after([&](SceneDef& s) { s.materials[0].law = law, s.materials[0].friction_angle = 0; }).empty())
+        << law;
+}
+
+TEST(Validate, AcceptsEveryKernelOfTheEngine) {
+  for (const std::string& kernel : names_of(static_cast<const AnyKernel*>(nullptr)))
+    EXPECT_TRUE(issues_after([&](SceneDef& s) { s.kernel = kernel; }).empty()) << kernel;
+}
+
+TEST(Validate, AcceptsEveryBondLawOfTheEngine) {
+  for (const BondLawName& law : kBondLaws)
+    EXPECT_TRUE(issues_after([&](SceneDef& s) { s.bond = law.name; }).empty()) << law.name;
+}
+
+TEST(Validate, AsksOnlySoilThatYieldsForItsStrength) {
+  for (const std::string& law : names_of(static_cast<const AnyLaw*>(nullptr))) {
+    const auto issues = issues_after([&](SceneDef& s) {
+      s.materials[0].law = law, s.materials[0].friction_angle = 0, s.materials[0].cohesion = kNone;
+    });
+    EXPECT_EQ(has_error(issues), yields(*law_by_name(law))) << law;
+  }
+}
 
 TEST(Validate, SaysWhichMaterialWhichNumberAndWhatWouldBeRight) {
   const Issue issue = only_issue([](SceneDef& s) {
