@@ -20,7 +20,12 @@ inline std::optional<AnyLaw> law_by_name(std::string_view name) {
 }
 
 inline ReturnAlgorithm algorithm_of(const AnyLaw& law) {
-  return std::visit([](auto l) { return decltype(l)::algorithm; }, law);
+  return std::visit(
+      [](auto l) {
+        static_assert(static_cast<int>(decltype(l)::algorithm) < kReturnAlgorithms);
+        return decltype(l)::algorithm;
+      },
+      law);
 }
 inline bool yields(const AnyLaw& law) {
   return std::visit([](auto l) { return decltype(l)::yields; }, law);

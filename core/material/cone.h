@@ -11,7 +11,7 @@ inline namespace VBGPD_ISA {
 /// The constants of a cone, spread over the lanes.
 template <class R>
 struct Cone {
-  static constexpr int kAlgorithm = 0;
+  static constexpr int kAlgorithm = static_cast<int>(ReturnAlgorithm::kCone);
   double shear, bulk, a, b, t;
   R k;  ///< differs between lanes where cohesion grows with depth
   VBGPD_INLINE explicit Cone(const LawConstants& c)

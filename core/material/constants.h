@@ -15,6 +15,10 @@ struct Strength {
   Real tension_cutoff = std::numeric_limits<Real>::infinity();  ///< Pa; infinity = the apex decides
 };
 
+/// How a law returns its stress to the yield surface: cone.h, hexagon.h.
+enum class ReturnAlgorithm : int { kCone = 0, kHexagon = 1 };
+inline constexpr int kReturnAlgorithms = 2;
+
 /// Constants of one law for one material: elastic moduli and four numbers whose meaning the law defines.
 struct LawConstants {
   Real shear_modulus = 0, bulk_modulus = 0;        ///< Pa

@@ -52,7 +52,7 @@ class CutOffReturn {
 /// The constants of a Mohr-Coulomb hexagon, spread over the lanes.
 template <class R>
 struct Hexagon {
-  static constexpr int kAlgorithm = 1;
+  static constexpr int kAlgorithm = static_cast<int>(ReturnAlgorithm::kHexagon);
   double shear, bulk, a, b, t;
   R k;  ///< differs between lanes where cohesion grows with depth
   VBGPD_INLINE explicit Hexagon(const LawConstants& constants)

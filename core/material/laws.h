@@ -1,6 +1,5 @@
 // Soil laws: what a material's parameters mean. Each law says which return algorithm it uses and derives that
-// algorithm's constants. To add one: a struct here with its constants, its name in AnyLaw (any_law.h), and it joins the
-// typed tests.
+// algorithm's constants. To add one: core/README.md, "To add ...".
 #pragma once
 
 #include <algorithm>
@@ -11,8 +10,6 @@
 #include "material/constants.h"
 
 namespace vbgpd {
-
-enum class ReturnAlgorithm : int { kCone = 0, kHexagon = 1 };
 
 inline constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 

@@ -9,10 +9,14 @@
 #include "simulation/cohesion_gradient.h"
 #include "simulation/ground_water.h"
 #include "simulation/outside.h"
+#include "step/flow_kernels.h"
 
 namespace vbgpd {
 
 namespace {
+
+static_assert(std::all_of(kBondLaws.begin(), kBondLaws.end(),
+                          [](const BondLawName& law) { return static_cast<int>(law.in_runout) < kFlowBondLaws; }));
 
 [[noreturn]] void unsupported(ObjectKind object, std::int64_t id, const std::string& text) {
   Issue issue;

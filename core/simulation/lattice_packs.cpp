@@ -283,7 +283,7 @@ void build_chunks(Model& m) {
   use(packs, m.heap);
   std::int32_t reach = kLeast;
   for (const BondPack& p : m.packs) reach = std::max(reach, p.j + 2 * m.width - p.i);
-  std::vector<BondPack> sorted[2];
+  std::vector<BondPack> sorted[kReturnAlgorithms];
   std::size_t next = 0;  // packs are in block order already
   for (std::size_t b = 0; b < m.blocks.size();) {
     Chunk chunk;
@@ -297,7 +297,7 @@ void build_chunks(Model& m) {
       sorted[algorithm_of_pack(m, m.packs[next])].push_back(m.packs[next]);
     // bonds of a block that join the same materials are worked on together
     const auto before = [](const BondPack& p, const BondPack& q) { return p.i != q.i ? p.i < q.i : p.pair < q.pair; };
-    for (int a = 0; a < 2; ++a) {
+    for (int a = 0; a < kReturnAlgorithms; ++a) {
       std::stable_sort(sorted[a].begin(), sorted[a].end(), before);
       chunk.packs_begin[a] = static_cast<std::int32_t>(packs.size());
       packs.insert(packs.end(), sorted[a].begin(), sorted[a].end());

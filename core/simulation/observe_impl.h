@@ -12,6 +12,7 @@ namespace vbgpd {
 namespace observe_detail {
 
 inline Returned<Real> returned(const LawConstants& c, ReturnAlgorithm algorithm, const Stress<Real>& trial) {
+  static_assert(kReturnAlgorithms == 2, "what is no cone is a hexagon");
   return algorithm == ReturnAlgorithm::kCone ? Cone<Real>(c).returned(trial) : Hexagon<Real>(c).returned(trial);
 }
 

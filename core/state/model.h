@@ -23,7 +23,7 @@ struct Features {
   bool cohesion_gradient = false;
   bool uneven_dilation = false;  ///< bonds dilate between soils of different bulk modulus
   bool placed = false;           ///< soil was placed when the section was deformed already
-  bool has_algorithm[2] = {true, true};
+  bool has_algorithm[kReturnAlgorithms] = {true, true};
 };
 
 struct Model {

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "material/constants.h"
+
 namespace vbgpd {
 
 /// Geometry of one lattice offset: the same for every bond along it, unless particles are off the lattice.
@@ -64,7 +66,7 @@ inline std::int32_t weight_record(const Block& block, std::int32_t pack, std::in
 /// A piece of work that one thread does at a time; packs of chunk c only reach particles of chunks c and c + 1.
 struct Chunk {
   std::int32_t blocks_begin = 0, blocks_end = 0;
-  std::int32_t packs_begin[2] = {0, 0}, packs_end[2] = {0, 0};  ///< per return algorithm
+  std::int32_t packs_begin[kReturnAlgorithms] = {}, packs_end[kReturnAlgorithms] = {};  ///< bonds to return by each
 };
 
 /// A wall particle that slides along a wall (roller) or is moved (prescribed velocity).

@@ -33,6 +33,7 @@ VBGPD_INLINE Stress<R> returned_to(const FlowLaw& law, R extra_cohesion, const S
 
 template <class R>
 VBGPD_INLINE Stress<R> returned_by(const FlowLaw& law, R extra_cohesion, const Stress<R>& trial) {
+  static_assert(kReturnAlgorithms == 2, "what is no cone is a hexagon");
   return law.algorithm == 0 ? returned_to<Cone<R>>(law, extra_cohesion, trial)
                             : returned_to<Hexagon<R>>(law, extra_cohesion, trial);
 }

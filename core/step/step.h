@@ -38,6 +38,7 @@ void step(const StepData& d, const Controls& c, Workers& workers, Sums* partial,
 
   // bonds: strains, trial stress, yielding, sums over bonds                                VB3, VB4, VB5
   const auto bonds = [&](int k) {
+    static_assert(kReturnAlgorithms == 2, "every return algorithm has a pass of its own");
     partial[k].plastic_work = 0;
     if (d.uses_algorithm[0]) partial[k].plastic_work += Bonds::template pass<Sites, Cone, kLedger>(d, c, d.chunks[k]);
     if (d.uses_algorithm[1])

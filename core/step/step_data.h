@@ -11,10 +11,10 @@ namespace vbgpd {
 /// What drives a step: it changes between steps, never inside one.
 struct Controls {
   double time_step = 0;
-  double momentum = 1;                 ///< b: velocity kept from the last step (1 = true dynamics, < 1 = relaxation)
-  double local_damping = 0;            ///< alpha of f_d = -alpha |f| sgn v
-  double kick = 0;                     ///< time step of the velocities: time_step, or 0 in an evaluation
-  const double* mass = nullptr;        ///< 0 in padding
+  double momentum = 1;           ///< b: velocity kept from the last step (1 = true dynamics, < 1 = relaxation)
+  double local_damping = 0;      ///< alpha of f_d = -alpha |f| sgn v
+  double kick = 0;               ///< time step of the velocities: time_step, or 0 in an evaluation
+  const double* mass = nullptr;  ///< 0 in padding
   const LawConstants* constants = nullptr;  ///< per material pair, at the present strength reduction factor
   const double* dilation_cap = nullptr;     ///< largest elastic volumetric strain of a particle; null = none
   bool keeps_gaps = false;                  ///< what exceeds it turns plastic, else it closes again
@@ -48,7 +48,7 @@ struct StepData {
   const float* pair_weight;         ///< likewise, by weight_record
   std::int32_t forward_packs;
   double least_r2;  ///< m2, nearer pairs are no bonds but padding
-  bool uses_algorithm[2];
+  bool uses_algorithm[kReturnAlgorithms];
   // state
   double *ux, *uy, *vx, *vy, *plastic_volume, *gap;
   const double* plastic_strain;  ///< at the start of the step
