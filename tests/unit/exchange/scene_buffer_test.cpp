@@ -26,6 +26,7 @@ void expect_same(const SceneDef& a, const SceneDef& b) {
   EXPECT_EQ(a.bond, b.bond);
   EXPECT_EQ(a.kernel, b.kernel);
   expect_same(a.exterior, b.exterior);
+  expect_same(a.water_table, b.water_table);
   ASSERT_EQ(a.materials.size(), b.materials.size());
   ASSERT_EQ(a.layers.size(), b.layers.size());
   ASSERT_EQ(a.boundaries.size(), b.boundaries.size());
@@ -85,6 +86,14 @@ SceneDef small_scene() {
 
 TEST(SceneBuffer, ReturnsTheSceneThatWasWritten) {
   expect_same(full_scene(), scene_from_flatbuffer(scene_to_flatbuffer(full_scene())));
+}
+
+/// A number that neither the writer nor the reader knows would come back as its default.
+TEST(SceneBuffer, KeepsEveryNumberOfAScene) {
+  SceneDef scene = full_scene();
+  double value = 0.125;
+  for (const Property& p : properties()) *find_property(scene, p.object, 0, p.name) = value += 1;
+  expect_same(scene, scene_from_flatbuffer(scene_to_flatbuffer(scene)));
 }
 
 TEST(SceneBuffer, ReturnsDefaultsAsDefaults) {

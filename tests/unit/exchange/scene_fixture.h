@@ -19,14 +19,19 @@ inline SceneDef full_scene() {
   scene.name = "every field";
   scene.source = "B\xC3\xB6schung 7";  // UTF-8
   scene.exterior = {{500000.25, 5.8e6}, {500032, 5.8e6}, {500012, 5800010}, {500000.25, 5800010}};
-  MaterialDef sand{"sand", "mohr_coulomb", 19500, 3e7, 0.25, 0, 38, 8, 0, 0, kNone};
-  MaterialDef clay{"soft clay", "undrained", 16000, 5e6, 0.49, 15000, 0, 0, kNone, 3750, 4};
+  MaterialDef sand{.name = "sand", .unit_weight = 19500, .saturated_unit_weight = 20500, .young_modulus = 3e7};
+  sand.poisson_ratio = 0.25, sand.cohesion = 0, sand.friction_angle = 38, sand.dilatancy_angle = 8;
+  sand.tension_cutoff = 0;
+  MaterialDef clay{.name = "soft clay", .law = "undrained", .unit_weight = 16000, .pore_pressure_ratio = 0.35};
+  clay.young_modulus = 5e6, clay.poisson_ratio = 0.49, clay.cohesion = 15000;
+  clay.cohesion_gradient = 3750, clay.cohesion_datum = 4;
   scene.materials = {sand, clay};
   scene.layers = {{"soft clay", {}}, {"sand", {{500000, 5800005}, {500040, 5800005}, {500000, 5800020}}}};
   scene.boundaries = {{"floor", "base", {}, BoundaryKind::kFixed, 0, 0, 24},
                       {"", "left", {}, BoundaryKind::kRoller, 0, 0},
                       {"wall", "", {{1, 2}, {3, 4}, {5, 6}}, BoundaryKind::kVelocity, 0.5, -0.25},
                       {"", "right", {}, BoundaryKind::kFree, 0, 0}};
+  scene.water_table = {{500000, 5800002}, {500040, 5800003}}, scene.water_unit_weight = 10000;
   scene.loads = {{500000, 500006, 20000, 40000}, {500007, 500008, 10000, 10000}};
   scene.kh = -0.15, scene.kv = 0.05, scene.gravity = 9.80665, scene.spacing = 0.5;
   scene.bond = "none", scene.kernel = "cubic_spline", scene.smoothing_ratio = 1.5, scene.jitter = 0.2;
