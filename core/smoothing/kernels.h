@@ -1,5 +1,5 @@
 // Kernels W(r, h) of compact support 2h in 2D. The bond weight of VB-GPD is any of them (method: omega_ij = W(r)).
-// To add one: a struct here, its name in AnyKernel, and it joins the typed tests.
+// To add one: a struct here, its name in AnyKernel; scenes may name it then, and it joins the typed tests.
 #pragma once
 
 #include <cmath>
