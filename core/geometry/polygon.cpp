@@ -9,6 +9,20 @@ namespace {
 
 bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
 
+const Vec2& vec(const Vec2& p) { return p; }
+Vec2 vec(const Point& p) { return {p.x, p.y}; }
+
+template <class Corners>
+bool surrounded(const Corners& polygon, const Vec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vec2 a = vec(polygon[i]), b = vec(polygon[j]);
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if (p.x() < a.x() + (b.x() - a.x()) * ((p.y() - a.y()) / (b.y() - a.y()))) inside = !inside;
+  }
+  return inside;
+}
+
 }  // namespace
 
 Box box_of(const Vertices& polygon) {
@@ -62,15 +76,8 @@ Moments moments_of(const Vertices& polygon) {
   return sum;
 }
 
-bool contains(const Vertices& polygon, const Vec2& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vec2 &a = polygon[i], &b = polygon[j];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < a.x() + (b.x() - a.x()) * ((p.y() - a.y()) / (b.y() - a.y()))) inside = !inside;
-  }
-  return inside;
-}
+bool contains(const Vertices& polygon, const Vec2& p) { return surrounded(polygon, p); }
+bool contains(const Polygon& polygon, const Vec2& p) { return surrounded(polygon, p); }
 
 bool is_convex(const Vertices& polygon) {
   const std::size_t n = polygon.size();

@@ -41,8 +41,9 @@ Real signed_area(const Vertices& polygon);
 /// Signed moments; exact also for the bridged polygons that half-plane clipping makes of concave ones.
 Moments moments_of(const Vertices& polygon);
 
-/// Even-odd rule.
+/// Even-odd rule; the rim may go either way.
 bool contains(const Vertices& polygon, const Vec2& p);
+bool contains(const Polygon& polygon, const Vec2& p);
 
 bool is_convex(const Vertices& counter_clockwise_polygon);
 

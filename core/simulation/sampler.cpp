@@ -28,15 +28,6 @@ double length(const Simulation& simulation) {
 
 }  // namespace
 
-bool inside(const Polygon& polygon, double x, double y) {
-  bool in = false;
-  for (std::size_t k = 0, last = polygon.size() - 1; k < polygon.size(); last = k++) {
-    const Point &a = polygon[k], &b = polygon[last];
-    if ((a.y > y) != (b.y > y) && x < a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)) in = !in;
-  }
-  return in;
-}
-
 Sampler::Sampler(const Simulation& simulation, int field, bool deformed)
     : deformed_(deformed),
       components_(fields()[static_cast<std::size_t>(field)].components),

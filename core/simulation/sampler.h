@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/polygon.h"
 #include "geometry/stages.h"
 #include "simulation/buckets.h"
 #include "simulation/simulation.h"
@@ -41,7 +42,6 @@ class Sampler {
 /// The ground surface in its present shape, left to right, a point about every particle spacing.
 std::vector<Point> deformed_ground(const Simulation& simulation);
 
-/// Inside a polygon (even-odd rule); the rim may go either way.
-bool inside(const Polygon& polygon, double x, double y);
+inline bool inside(const Polygon& polygon, double x, double y) { return contains(polygon, Vec2(x, y)); }
 
 }  // namespace vbgpd
