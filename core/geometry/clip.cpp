@@ -30,7 +30,7 @@ void snap(std::vector<Real>& at, Index first, Real spacing, int axis, const Vert
 
 class Cutter {
  public:
-  Cutter(const Grid& grid, const CellVisitor& visit) : grid_(grid), visit_(visit) {}
+  Cutter(const GridLines& grid, const CellVisitor& visit) : grid_(grid), visit_(visit) {}
 
   void columns(const Vertices& piece, Index begin, Index end) {
     if (piece.size() < 3) return;
@@ -73,13 +73,13 @@ class Cutter {
     return true;
   }
 
-  const Grid& grid_;
+  const GridLines& grid_;
   const CellVisitor& visit_;
 };
 
 }  // namespace
 
-Grid make_grid(const Lattice& lattice, const Vertices& exterior, const std::vector<Vertices>& others, Real noise) {
+GridLines make_grid(const Lattice& lattice, const Vertices& exterior, const std::vector<Vertices>& others, Real noise) {
   constexpr Real kHairline = 1e-6;  // of a cell: narrower strips belong to the cell beside them
   constexpr Real kMostCells = 1 << 30;
   const Box box = box_of(exterior);
@@ -93,7 +93,7 @@ Grid make_grid(const Lattice& lattice, const Vertices& exterior, const std::vect
                       .text = "the lattice would have " + number(cells) + " cells; at most " + number(kMostCells) +
                               " are possible: use a larger spacing"});
   }
-  Grid grid;
+  GridLines grid;
   grid.ix0 = static_cast<Index>(first.x());
   grid.iy0 = static_cast<Index>(first.y());
   grid.x = lines(grid.ix0, static_cast<Index>(last.x()), lattice.spacing.x());
@@ -130,7 +130,7 @@ void clip(const Vertices& polygon, int axis, Real at, bool keep_below, Vertices&
   }
 }
 
-void cut_by_grid(const Vertices& polygon, const Grid& grid, const CellVisitor& visit) {
+void cut_by_grid(const Vertices& polygon, const GridLines& grid, const CellVisitor& visit) {
   Vertices inside = polygon, scratch;
   const auto keep = [&](int axis, Real at, bool below) {
     clip(inside, axis, at, below, scratch);

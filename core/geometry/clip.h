@@ -11,7 +11,7 @@ namespace vbgpd {
 
 /// The lines of a lattice in the local frame. Lines that miss a polygon vertex by round-off are moved onto it, so that
 /// a crest on a cell edge leaves no film of cells 1e-10 high in map coordinates.
-struct Grid {
+struct GridLines {
   Index ix0 = 0, iy0 = 0;  ///< indices of the first column and row
   std::vector<Real> x, y;  ///< column i spans x[i] .. x[i+1]
   Index columns() const { return static_cast<Index>(x.size()) - 1; }
@@ -20,7 +20,7 @@ struct Grid {
 
 /// The part of the grid that covers the exterior. `others` are polygons whose vertices the lines should meet as well.
 /// Throws Error(kLimit) when more than 2^30 cells would be needed.
-Grid make_grid(const Lattice& lattice, const Vertices& exterior, const std::vector<Vertices>& others, Real noise);
+GridLines make_grid(const Lattice& lattice, const Vertices& exterior, const std::vector<Vertices>& others, Real noise);
 
 /// Sutherland-Hodgman by one axis-parallel line (axis 0: x, 1: y); keeps the side below or above `at`. A concave
 /// polygon may come out bridged along the line; its signed area and moments are still exact.
@@ -33,6 +33,6 @@ struct CellVisitor {
 
 /// Visits the cells of the grid that a counter-clockwise polygon touches, in order of column, then row (0-based in the
 /// grid).
-void cut_by_grid(const Vertices& polygon, const Grid& grid, const CellVisitor& visit);
+void cut_by_grid(const Vertices& polygon, const GridLines& grid, const CellVisitor& visit);
 
 }  // namespace vbgpd

@@ -55,7 +55,7 @@ Section discretise(const SceneDef& scene, const Lattice& lattice, int reach, std
   const Vertices exterior = local(outline, lattice.origin);
   const Box box = box_of(outline);
   const Real noise = coordinate_noise(box);
-  const Grid grid = make_grid(lattice, exterior, layer_polygons(scene, lattice.origin), noise);
+  const GridLines grid = make_grid(lattice, exterior, layer_polygons(scene, lattice.origin), noise);
 
   Soil soil = cut_soil(exterior, grid, lattice.spacing, max_particles);
   assign_materials(scene, lattice.origin, grid, lattice.spacing, soil);

@@ -52,7 +52,7 @@ std::vector<Index> layer_materials(const SceneDef& scene) {
   return result;
 }
 
-Coats paint_cells(const SceneDef& scene, const Vec2& origin, const Grid& grid, const Soil& soil) {
+Coats paint_cells(const SceneDef& scene, const Vec2& origin, const GridLines& grid, const Soil& soil) {
   Coats coats(soil.seeds.size());
   const CellIndex index(soil.seeds);
   for (std::size_t k = 0; k < scene.layers.size(); ++k) {
@@ -150,7 +150,8 @@ void fill_gaps(const Vec2& spacing, Soil& soil) {
 
 }  // namespace
 
-void assign_materials(const SceneDef& scene, const Vec2& origin, const Grid& grid, const Vec2& spacing, Soil& soil) {
+void assign_materials(const SceneDef& scene, const Vec2& origin, const GridLines& grid, const Vec2& spacing,
+                      Soil& soil) {
   const std::vector<Index> material_of = layer_materials(scene);
   const Coats coats = paint_cells(scene, origin, grid, soil);
   for (std::size_t i = 0; i < soil.seeds.size(); ++i) {

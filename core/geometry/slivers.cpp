@@ -20,7 +20,7 @@ struct Neighbour {
 
 class Merger {
  public:
-  Merger(const Grid& grid, const Vec2& spacing, Real slack, Soil& soil)
+  Merger(const GridLines& grid, const Vec2& spacing, Real slack, Soil& soil)
       : grid_(grid),
         soil_(soil),
         index_(soil.seeds),
@@ -152,7 +152,7 @@ class Merger {
     soil_.cut_of.resize(kept);
   }
 
-  const Grid& grid_;
+  const GridLines& grid_;
   Soil& soil_;
   CellIndex index_;
   std::vector<Index> into_;     // per seed: itself, or the seed it was merged into
@@ -165,7 +165,7 @@ class Merger {
 
 }  // namespace
 
-void merge_slivers(const Grid& grid, const Vec2& spacing, Real slack, Soil& soil) {
+void merge_slivers(const GridLines& grid, const Vec2& spacing, Real slack, Soil& soil) {
   Merger(grid, spacing, slack, soil).run();
 }
 

@@ -31,7 +31,7 @@ std::array<Real, 4> contacts(const Vertices& outline, const Vec2& low, const Vec
 
 }  // namespace
 
-Soil cut_soil(const Vertices& exterior, const Grid& grid, const Vec2& spacing, std::int64_t max_particles) {
+Soil cut_soil(const Vertices& exterior, const GridLines& grid, const Vec2& spacing, std::int64_t max_particles) {
   Soil soil;
   const Real cell = spacing.prod(), area = signed_area(exterior);
   std::int64_t kept = 0;

@@ -22,7 +22,7 @@ TEST(Clip, AConcavePolygonInSeveralPiecesKeepsItsAreaAndMoments) {
 TEST(Clip, EveryCellOfTheCombIsVisitedOnceWithItsArea) {
   Lattice lattice;
   lattice.spacing = Vec2(1.5, 0.8);
-  const Grid grid = make_grid(lattice, kComb, {}, 0);
+  const GridLines grid = make_grid(lattice, kComb, {}, 0);
   ASSERT_EQ(grid.columns(), 4);
   ASSERT_EQ(grid.rows(), 5);
   std::vector<std::vector<Real>> area(4, std::vector<Real>(5, 0));
@@ -47,7 +47,7 @@ TEST(Clip, LinesMoveOntoVerticesThatMissThemByRoundOff) {
   Lattice lattice;
   lattice.spacing = Vec2(1, 1);
   const Vertices polygon = {Vec2(0, 0), Vec2(3, 0), Vec2(3, 2 + 1e-12), Vec2(0, 2)};
-  const Grid grid = make_grid(lattice, polygon, {}, 0);
+  const GridLines grid = make_grid(lattice, polygon, {}, 0);
   EXPECT_EQ(grid.rows(), 2);
   EXPECT_EQ(grid.y.back(), 2 + 1e-12);
 }
