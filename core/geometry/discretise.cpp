@@ -22,6 +22,13 @@ void check_arguments(const Lattice& lattice, int reach, const Polygon& exterior)
                                        " distinct vertices; it needs at least 3");
 }
 
+void require_soil(const Soil& soil) {
+  if (!soil.seeds.empty()) return;
+  throw Error(Issue{.status = Status::kGeometry,
+                    .object = ObjectKind::kProfile,
+                    .text = "the exterior of the profile encloses next to no area: no cell of the grid has any soil"});
+}
+
 std::vector<Vertices> layer_polygons(const SceneDef& scene, const Vec2& origin) {
   std::vector<Vertices> result;
   for (const LayerDef& layer : scene.layers) result.push_back(local(layer.polygon, origin));
@@ -60,6 +67,7 @@ Section discretise(const SceneDef& scene, const Lattice& lattice, int reach, std
   Soil soil = cut_soil(exterior, grid, lattice.spacing, max_particles);
   assign_materials(scene, lattice.origin, grid, lattice.spacing, soil);
   merge_slivers(grid, lattice.spacing, std::max(Real(1e-9), 8 * noise / lattice.spacing.minCoeff()), soil);
+  require_soil(soil);
 
   Section section;
   section.lattice = lattice;

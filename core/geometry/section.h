@@ -76,7 +76,8 @@ Lattice coarsened(const Lattice& lattice, int factor);
 /// Cuts the lattice by the profile. Sum of soil volumes = exterior area to round-off. Cells with less than half a cell
 /// of soil are merged into the adjoining cell that holds the least soil (measured on a 2:1 face at H/10: 0.5 % less
 /// error in FS than merging across the longest common edge). Wall cells fill `reach` cells behind each held boundary.
-/// Throws Error(kLimit) when more than max_particles would be needed (0 = no limit).
+/// Throws Error(kLimit) when more than max_particles would be needed (0 = no limit), Error(kGeometry) when the exterior
+/// encloses next to no area.
 Section discretise(const SceneDef& scene, const Lattice& lattice, int reach, std::int64_t max_particles);
 
 }  // namespace vbgpd

@@ -37,6 +37,11 @@ TEST(Discretise, VolumesSumToTheExteriorArea) {
     }
 }
 
+TEST(Discretise, RefusesAnExteriorWithNextToNoArea) {
+  const SceneDef scene = scene_of({{0, 0}, {1e-311, 1e-318}, {4, 4}});
+  EXPECT_THROW(cut(scene, 1), Error);
+}
+
 TEST(Discretise, FirstMomentsSumToThoseOfTheExterior) {
   // Benches, integrated by hand-free triangulation about the origin.
   const Polygon polygon = benches();
