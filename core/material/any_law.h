@@ -27,6 +27,10 @@ inline ReturnAlgorithm algorithm_of(const AnyLaw& law) {
       },
       law);
 }
+/// Elastic < undrained < Drucker-Prager < Mohr-Coulomb: a law can represent the strengths of those below it.
+inline int generality(const AnyLaw& law) {
+  return std::visit([](auto l) { return decltype(l)::generality; }, law);
+}
 inline bool yields(const AnyLaw& law) {
   return std::visit([](auto l) { return decltype(l)::yields; }, law);
 }

@@ -18,6 +18,7 @@ struct Elastic {
   static constexpr std::string_view name = "elastic";
   static constexpr ReturnAlgorithm algorithm = ReturnAlgorithm::kCone;
   static constexpr bool yields = false;
+  static constexpr int generality = 0;
   static void derive(const Strength&, LawConstants&) {}
 };
 
@@ -29,6 +30,7 @@ struct DruckerPrager {
   static constexpr std::string_view name = "drucker_prager";
   static constexpr ReturnAlgorithm algorithm = ReturnAlgorithm::kCone;
   static constexpr bool yields = true;
+  static constexpr int generality = 2;
   static void derive(const Strength& s, LawConstants& c) {
     const Real sin_phi = std::sin(s.friction_angle), sin_psi = std::sin(s.dilatancy_angle);
     const Real alpha_psi = sin_psi / std::sqrt(9 + 3 * sin_psi * sin_psi);
@@ -47,6 +49,7 @@ struct MohrCoulomb {
   static constexpr std::string_view name = "mohr_coulomb";
   static constexpr ReturnAlgorithm algorithm = ReturnAlgorithm::kHexagon;
   static constexpr bool yields = true;
+  static constexpr int generality = 3;
   static void derive(const Strength& s, LawConstants& c) {
     c.a = std::sin(s.friction_angle);
     c.k_per_cohesion = 2 * std::cos(s.friction_angle);
@@ -63,6 +66,7 @@ struct Undrained {
   static constexpr std::string_view name = "undrained";
   static constexpr ReturnAlgorithm algorithm = ReturnAlgorithm::kCone;
   static constexpr bool yields = true;
+  static constexpr int generality = 1;
   static void derive(const Strength& s, LawConstants& c) {
     c.k_per_cohesion = 1;
     c.k = s.cohesion;

@@ -32,13 +32,6 @@ Strength joined_strength(const Strength& weaker, const Strength& other) {
   return s;
 }
 
-/// Elastic < undrained < Drucker-Prager < Mohr-Coulomb: each can represent the strengths of those before it.
-int generality(const AnyLaw& law) {
-  if (std::holds_alternative<MohrCoulomb>(law)) return 3;
-  if (std::holds_alternative<DruckerPrager>(law)) return 2;
-  return std::holds_alternative<Undrained>(law) ? 1 : 0;
-}
-
 /// A bond between two materials is as strong as the weaker of them where they meet, at the stress level of the section;
 /// against a rock that never yields the soil's own strength decides (core/bond/README.md).
 void build_materials(const SceneDef& scene, const Section& section, Real h, Real stress, Model& m) {

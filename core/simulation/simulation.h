@@ -102,8 +102,7 @@ struct Monitors {
   std::int64_t plastic_bonds = 0;
 };
 
-/// One run of quasi-static relaxation steps (momentum with restart, masses proportional to stiffness; method 4.10,
-/// speed notes).
+/// One run of quasi-static relaxation steps: momentum with restart, masses proportional to stiffness.
 struct RelaxOptions {
   bool elastic = false;         ///< strengths left out
   double local_damping = 0;     ///< > 0: local damping instead of momentum, the slow and careful reference
