@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "analysis/stiffness_contrast.h"
 #include "scene/wording.h"
@@ -13,8 +12,6 @@ namespace {
 
 constexpr double kNotch =
     0.25;  // trial factors are multiples of this share of the tolerance: the same for every unit and side
-
-constexpr double kFall = 0.01;  // F_e is past its peak when it falls by more than this
 
 constexpr int kBriefly = 4;    // response times a trial may take where another factor beside it would do
 constexpr int kLong = 14;      // ... where one further away would do
@@ -177,162 +174,56 @@ void GridSearch::stand(double factor, std::int64_t steps, double seconds, const 
   progress_.trial = static_cast<int>(trials_.size()) - 1, progress_.srf_stable = stable_;
 }
 
-/// Overshoot and follow: let the slope flow a little above its factor of safety and read where the flow would just
-/// balance,
-///   F_e = F (internal power / external power),
-/// which tends to the factor of safety whatever F drives the flow.
-Slices GridSearch::follow() {
-  progress_.phase = Phase::kSearch;
-  double factor = std::isnan(options_.guess) ? 1.0 : 1.04 * options_.guess;
-  factor = std::clamp(factor, options_.srf_min, options_.srf_max);
-  for (Slices s = overshoot(factor); s.next();) co_yield Pause{};
-  if (std::isnan(flow_)) co_return;
-  for (Slices s = come_down(factor); s.next();) co_yield Pause{};
-}
-
-/// Raises F until the slope flows, then waits until F_e is flat and the flow developed; flow_ is what it reads, NaN
-/// where nothing can be read.
-Slices GridSearch::overshoot(double& factor) {
-  const RelaxOptions options;
-  constexpr double kLevel = 12;     // displacement level at which the flow is read
-  constexpr double kFlowing = 0.5;  // and that at which it is a flow
-  constexpr double kSteady = 1e-3;  // F_e is read once it changes by less than this over a look
-  constexpr double kBrisk = 1.04;   // share of F_e at which the flow is driven, at least: less takes ages
-  constexpr double kStands = 5e-4;  // unbalanced force ratio, halved since the last look, of a slope about to stand
-  const std::int64_t look = std::max<std::int64_t>(2 * kWindow, response_ / 2);
-  const auto windows = static_cast<std::size_t>(look / kWindow);
-  const std::int64_t most = 60 * response_;
-  double best = 0, unbalanced = 1;
-  std::vector<Window> flow;  // with F_e as the power ratio
-  std::shared_ptr<SavedState> best_state;
-  const TrialRules rules;
-  Stopwatch watch;
-  int falls = 0, at_rest = 0;
-  std::int64_t steps = 0, looked = 0;
-  set_factor(factor);
-  simulation_.halt();
-  const auto raise = [&](double times) {
-    factor = std::min(options_.srf_max, factor * times);
-    set_factor(factor);
-    simulation_.halt();
-    steps = looked = 0, best = 0, falls = at_rest = 0, unbalanced = 1, watch = Stopwatch();
-    flow.clear();
-  };
-  const auto read_hardening = [&] {
-    if (const auto hardening = hardening_in(flow)) flow_hardening_ = hardening->rise;
-  };
-  for (;;) {
-    const RelaxReport r = simulation_.relax(kWindow, options);
-    steps += r.steps, looked += r.steps, progress_.steps += r.steps;
-    progress_.unbalanced_force_ratio = r.unbalanced_force_ratio, progress_.max_displacement = r.max_displacement;
-    if (r.diverged || steps > most) co_return;  // the careful way decides
-    const double level = r.max_displacement / simulation_.displacement_scale();
-    at_rest = r.unbalanced_force_ratio < rules.equilibrium ? at_rest + 1 : 0;
-    if (at_rest > 0 && at_rest < rules.equilibrium_windows) {
-      co_yield Pause{};
-      continue;
-    }
-    if (at_rest > 0) {  // a lower end for nothing
-      stand(factor, steps, watch.wall(), r);
-      if (factor >= options_.srf_max) co_return;
-      raise(steps < 2 * response_ ? 1.2 : 1.06);
-      continue;
-    }
-    const double estimate = factor * r.power_ratio;
-    flow.push_back({r.unbalanced_force_ratio, r.max_displacement, std::fmax(0, r.external_power), estimate});
-    const bool steady =
-        flow.size() > windows && std::fabs(estimate - flow[flow.size() - 1 - windows].power_ratio) < kSteady * estimate;
-    if (level > kLevel && estimate < factor && steady) {
-      const auto add = [](double sum, const Window& w) { return sum + w.power_ratio; };
-      flow_ = estimate, fresh_flow_ = std::accumulate(flow.end() - windows, flow.end(), 0.0, add) / windows;
-      read_hardening();
-      co_return;
-    }
-    const bool far = level > rules.far;
-    if (looked >= look || far) {
-      if (r.unbalanced_force_ratio < kStands && r.unbalanced_force_ratio < 0.5 * unbalanced &&
-          estimate > (1 - kFall) * factor && factor < options_.srf_max) {
-        raise(1.2);
-        continue;
-      }
-      unbalanced = r.unbalanced_force_ratio;
-      if (estimate > best) best = estimate, best_state = simulation_.save(), falls = 0;
-      else if (estimate < (1 - kFall) * best) ++falls;
-      // F_e past its peak: a skin has run away or the section has softened; the flow at the peak is the one to follow.
-      // F_e still creeping up: soil that hardens slowly (undrained) is read where hardening no longer counts
-      if (falls >= 2 || far) {
-        if (best_state == nullptr || !(best < factor)) co_return;  // the careful way decides
-        flow_ = fresh_flow_ = best;
-        read_hardening();
-        simulation_.restore(*best_state);
-        co_return;
-      }
-      if (level > kFlowing && estimate < factor && factor < kBrisk * estimate) {
-        factor = std::min(options_.srf_max, kBrisk * estimate);
-        set_factor(factor);
-      }
-      looked = 0;
-    }
-    co_yield Pause{};
-  }
-}
-
-/// Follows the flow down towards F_e, gently, until that repeats.
-Slices GridSearch::come_down(double& factor) {
-  constexpr double kFlat = 3e-4;  // F_e repeats when two rounds differ by less than this
-  const auto peak = simulation_.save();
-  const double read = flow_;
-  for (int round = 0; round < 8; ++round) {
-    const double before = flow_;
-    factor = round == 0 ? std::min(flow_ + 0.6 * (factor - flow_), 1.01 * flow_) : 1.002 * flow_;
-    set_factor(factor);
-    simulation_.halt();
-    for (std::int64_t n = 0; n < std::max<std::int64_t>(2 * kWindow, response_ / 2); n += kWindow) {
-      const RelaxReport r = simulation_.relax(kWindow, {});
-      progress_.steps += r.steps;
-      if (r.unbalanced_force_ratio < 1e-5) break;
-      flow_ = factor * r.power_ratio;
-      co_yield Pause{};
-      if (r.diverged) break;
-    }
-    if (!(std::fabs(flow_ / before - 1) < 2 * kFall)) {  // not the flow that was read: keep that one
-      simulation_.restore(*peak);
-      flow_ = read;
-      break;
-    }
-    if (round > 0 && std::fabs(flow_ - before) < kFlat * flow_) break;
-  }
-}
-
-/// The two ends of the bracket around the flow factor: arrest below it, keep flowing above it.
+/// The two ends of the bracket around the flow factor: arrest below it, keep flowing above it, halve what is left.
 Slices GridSearch::fast_bracket() {
+  followed_flow_ = flow_;
+  for (Slices s = lower_end(); s.next();) co_yield Pause{};
+  if (!done_ && std::isnan(flow_)) {  // soil that the flow has worn out fails below what untouched soil bears
+    for (Slices s = bisection(); s.next();) co_yield Pause{};
+    co_return;
+  }
+  for (Slices s = upper_end(); s.next();) co_yield Pause{};
+  for (Slices s = halve(); s.next();) co_yield Pause{};
+  constexpr double kWorn = 0.003, kStray = 0.03;
+  constexpr double kOverread = 0.003;  // of a brisk flow, at most: F_e falls by that when it slows down
+  const bool softened = gathers_force_ && failure_.flow < (1 - kOverread) * fresh_flow_ - options_.tolerance;
+  const bool worn = failure_.flow < (1 - kWorn) * first_failing_flow_;
+  const bool strayed = stable_ > (1 + kStray) * followed_flow_;
+  const bool kept = failure_.flow >= (1 - kOverread) * fresh_flow_;  // else that flow was too brisk to tell
+  failure_.hardening = kept ? flow_hardening_ : 0;
+  if (!done_ && (softened || worn || strayed))
+    for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
+}
+
+/// The same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further down. flow_ is
+/// NaN where it has worn the soil out.
+Slices GridSearch::lower_end() {
+  constexpr double kWornOut = 0.04;
   const double notch = kNotch * options_.tolerance;
-  double low = std::max(options_.srf_min, notched(flow_));
-  // lower end: the same flow comes to rest; if not, it goes on at the factor it would balance at by now, or further
-  // down
-  constexpr double kWornOut = 0.04, kHardened = 0.003;
-  const double read = flow_, first_low = low;
-  double first_flow = kNone;
+  const double first = std::max(options_.srf_min, notched(flow_));
   patience_ = kLong;
+  double low = first;
   for (double step = 2 * notch; !done_ && !(stable_ >= low);) {
     for (Slices s = try_factor(low, Phase::kStableEnd); s.next();) co_yield Pause{};
     if (done_ || verdict_ == Verdict::kStable) break;
-    // soil that the flow has worn out fails below what untouched soil bears: from there on the careful way
-    if (verdict_ == Verdict::kFailed && (low <= options_.srf_min || flow_ < (1 - kWornOut) * first_flow)) {
+    if (verdict_ == Verdict::kFailed && (low <= options_.srf_min || flow_ < (1 - kWornOut) * first_failing_flow_)) {
       failure_ = {}, flow_ = kNone, balanced_.clear();
-      options_.guess = first_low;
-      for (Slices s = bisection(); s.next();) co_yield Pause{};
+      options_.guess = first;
       co_return;
     }
     double balance = flow_ - notch;  // undecided: the flow is all but in balance, stay clear of that
     if (verdict_ == Verdict::kFailed) {
-      if (std::isnan(first_flow)) first_flow = flow_;
+      if (std::isnan(first_failing_flow_)) first_failing_flow_ = flow_;
       balance = std::min(low - step, flow_), step *= 2;
     }
     low = std::max(options_.srf_min, notched(std::min(low - notch, balance)));
   }
-  // upper end: from the state at rest, a little more; if it stands, it is the new lower end; where it creeps, a notch
-  // more, then two, going on from there
+}
+
+/// From the state at rest, a little more; if it stands, it is the new lower end; where it creeps, a notch more, then
+/// two, going on from there.
+Slices GridSearch::upper_end() {
+  const double notch = kNotch * options_.tolerance;
   patience_ = kBriefly;
   double step = options_.tolerance, aside = notch;
   for (double high = stable_ + step; !done_ && !(failure_.factor <= high) && !(runaway_ <= high);) {
@@ -345,25 +236,20 @@ Slices GridSearch::fast_bracket() {
     high += verdict_ == Verdict::kStable ? step *= 2 : aside;
     if (verdict_ == Verdict::kUndecided) aside *= 2;
   }
+}
+
+/// Between a standing and a failing factor further apart than asked. A flow below what it would balance at is soon
+/// arrested (one that has not hardened on its way), and soil at rest soon flows above that; the other way round takes
+/// long. From how far an undecided one got, in any case.
+Slices GridSearch::halve() {
+  constexpr double kHardened = 0.003;
   patience_ = longest_;
-  // between a standing and a failing factor further apart than asked: halve. A flow below what it would balance at is
-  // soon arrested (one that has not hardened on its way), and soil at rest soon flows above that; the other way round
-  // takes long. From how far an undecided one got, in any case
   while (!done_ && !closed()) {
     const double factor = middle();
-    const bool arrest = failure_.state && factor < flow_ && flow_ < (1 + kHardened) * read;
+    const bool arrest = failure_.state && factor < flow_ && flow_ < (1 + kHardened) * followed_flow_;
     if (verdict_ != Verdict::kUndecided) simulation_.restore(arrest ? *failure_.state : *standing_);
     for (Slices s = try_factor(factor, Phase::kFailedEnd); s.next();) co_yield Pause{};
   }
-  constexpr double kWorn = 0.003, kStray = 0.03;
-  constexpr double kOverread = 0.003;  // of a brisk flow, at most: F_e falls by that when it slows down
-  const bool softened = gathers_force_ && failure_.flow < (1 - kOverread) * fresh_flow_ - options_.tolerance;
-  const bool worn = failure_.flow < (1 - kWorn) * first_flow;
-  const bool strayed = stable_ > (1 + kStray) * read;
-  const bool kept = failure_.flow >= (1 - kOverread) * fresh_flow_;  // else that flow was too brisk to tell
-  failure_.hardening = kept ? flow_hardening_ : 0;
-  if (!done_ && (softened || worn || strayed))
-    for (Slices s = upper_end_from_gravity(); s.next();) co_yield Pause{};
 }
 
 /// Non-associated soil may soften while it flows (unbalanced force that grows is a sign where F_e has fallen since the

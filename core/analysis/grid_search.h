@@ -40,9 +40,14 @@ class GridSearch {
  private:
   Slices gravity();
   Slices follow();
+  struct Overshoot;
   Slices overshoot(double& factor);
+  void take_flow(const Overshoot& run, double flow, double fresh);
   Slices come_down(double& factor);
   Slices fast_bracket();
+  Slices lower_end();
+  Slices upper_end();
+  Slices halve();
   Slices upper_end_from_gravity();
   Slices bisection();
   Slices try_factor(double factor, Phase phase);
@@ -64,11 +69,13 @@ class GridSearch {
   std::shared_ptr<SavedState> gravity_, standing_;
   std::int64_t response_ = 0;
   double elastic_displacement_ = 0, stable_ = kNone, flow_ = kNone;
-  double fresh_flow_ = kNone;  // F_e over the look at which it was first read
-  double flow_hardening_ = 0;  // ... and its rise while the slope would have moved as far again
-  struct Failure {             // the failed end
-    double factor = kNone;     // NaN = none yet
-    double flow = kNone;       // F_e
+  double fresh_flow_ = kNone;          // F_e over the look at which it was first read
+  double followed_flow_ = kNone;       // ... as the flow was followed down
+  double first_failing_flow_ = kNone;  // ... of the first trial below that failed
+  double flow_hardening_ = 0;          // ... and its rise while the slope would have moved as far again
+  struct Failure {                     // the failed end
+    double factor = kNone;             // NaN = none yet
+    double flow = kNone;               // F_e
     double displacement_level = kNone, unsteadiness = 0, hardening = 0;
     std::shared_ptr<SavedState> state;
   } failure_;
