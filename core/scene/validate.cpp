@@ -198,6 +198,10 @@ void check_plausible(const MaterialDef& m, Report& report) {
     warn("saturated_unit_weight", m.saturated_unit_weight, "N m-3",
          "is less than unit_weight: soil full of water is no lighter");
   check_friction_angle(m.friction_angle, "soil", report);
+  if (m.friction_angle == 0 && m.dilatancy_angle == 0 && m.cohesion > 0 && (m.law == "mohr_coulomb" || m.law == "drucker_prager"))
+    report.warn("friction_angle = 0 with law " + quoted(m.law) +
+                    ": if it was forgotten, give it; soil without friction is law \"undrained\"",
+                0);
   if (m.cohesion > 2e6)
     warn("cohesion", m.cohesion, "Pa",
          kilo ? "is that of rock; if " + number_text(m.cohesion / 1000) + " Pa is meant, set units to SI"
@@ -218,7 +222,8 @@ void check_strength(const MaterialDef& m, Report& report) {
   if (m.dilatancy_angle > m.friction_angle)
     report.error(Status::kRange,
                  "dilatancy_angle = " + number_text(m.dilatancy_angle) +
-                     " degrees: must not exceed friction_angle = " + number_text(m.friction_angle) + " degrees",
+                     " degrees: must not exceed friction_angle = " + number_text(m.friction_angle) + " degrees" +
+                     (m.friction_angle == 0 ? ", which is what it is when not given" : ""),
                  m.dilatancy_angle);
   if (m.cohesion_gradient > 0 && std::isnan(m.cohesion_datum))
     report.error(Status::kArgument,
@@ -358,6 +363,13 @@ void check_loads(const SceneDef& scene, Report& report) {
     if (load.pressure < 0 || load.pressure_end < 0)
       report.warn("a negative pressure pulls the ground up: loads are positive downwards",
                   load.pressure < 0 ? load.pressure : load.pressure_end);
+    constexpr double kHeavy = 5e6;
+    if (const double most = std::fmax(load.pressure, load.pressure_end); most > kHeavy)
+      report.warn(
+          "a pressure of " + quantity_text(most, "Pa", scene.units) + " is more than any foundation puts on soil" +
+              (scene.units == Units::kKilopascal ? "; if " + number_text(most / 1000) + " Pa is meant, set units to SI"
+                                                 : ""),
+          most);
   }
 }
 
@@ -365,6 +377,15 @@ void check_loads(const SceneDef& scene, Report& report) {
 void check_water(const SceneDef& scene, Report& report) {
   report.about(ObjectKind::kProfile, -1, "water");
   const Polygon& table = scene.water_table;
+  if (!table.empty() && !(scene.water_unit_weight > 9e3 && scene.water_unit_weight < 12e3))
+    report.warn("water_unit_weight = " + quantity_text(scene.water_unit_weight, "N m-3", scene.units) +
+                    ": water weighs " + quantity_text(9810, "N m-3", scene.units),
+                scene.water_unit_weight);
+  for (const MaterialDef& m : scene.materials)
+    if (!table.empty() && m.pore_pressure_ratio > 0)
+      report.warn("the pore pressure of '" + m.name +
+                      "' is that of its pore_pressure_ratio; the water table does not count there",
+                  m.pore_pressure_ratio);
   if (table.empty()) {
     for (const MaterialDef& m : scene.materials)
       if (!std::isnan(m.saturated_unit_weight))

@@ -206,10 +206,22 @@ TEST(CheckGeometry, WaterThatStandsIsLevel) {
   EXPECT_NEAR(check_geometry(scene)[0].x, 16, 1e-9);
 }
 
+TEST(AllIssues, NameAGridOfAFewParticlesOverTheHeight) {
+  SceneDef scene = scene_of(slope_on_foundation());
+  scene.materials[0].law = "undrained", scene.materials[0].unit_weight = 20e3, scene.materials[0].cohesion = 1e4;
+  scene.spacing = 2.5;
+  const auto issues = all_issues(scene);
+  ASSERT_EQ(issues.size(), 1u) << all_text(issues);
+  EXPECT_TRUE(says(issues[0], "the ground rises by 4 spacings only")) << issues[0].text;
+  EXPECT_TRUE(says(issues[0], "a spacing of 0.5 m")) << issues[0].text;
+  scene.spacing = 2;
+  EXPECT_TRUE(all_issues(scene).empty());
+}
+
 TEST(AllIssues, NameSoilsTooThinForOneGridOrForTwo) {
   SceneDef scene = scene_of(slope_on_foundation());
   add_layer(scene, "seam", {{0, -1}, {52, -1}, {52, -2}, {0, -2}});
-  for (MaterialDef& m : scene.materials) m.unit_weight = 20e3, m.cohesion = 1e4;
+  for (MaterialDef& m : scene.materials) m.law = "undrained", m.unit_weight = 20e3, m.cohesion = 1e4;
   const auto warning_at = [&](double spacing) {
     scene.spacing = spacing;
     const auto issues = all_issues(scene);

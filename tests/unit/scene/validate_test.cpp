@@ -69,8 +69,9 @@ std::vector<std::string> names_of(const std::variant<T...>*) {
 
 TEST(Validate, AcceptsEverySoilLawOfTheEngine) {
   for (const std::string& law : names_of(static_cast<const AnyLaw*>(nullptr)))
-    EXPECT_TRUE(issues_after([&](SceneDef& s) { s.materials[0].law = law, s.materials[0].friction_angle = 0; }).empty())
-        << law;
+    EXPECT_FALSE(has_error(issues_after([&](SceneDef& s) {
+      s.materials[0].law = law, s.materials[0].friction_angle = 0;
+    }))) << law;
 }
 
 TEST(Validate, AcceptsEveryKernelOfTheEngine) {
@@ -411,6 +412,35 @@ TEST(Validate, AcceptsAsManySoilsAsPairsCanBeNumbered) {
   };
   EXPECT_FALSE(has_error(issues_after(soils(256))));
   EXPECT_EQ(only_issue(soils(257)).text, "materials: the list has 257 entries: at most 256 are accepted");
+}
+
+TEST(Validate, WarnsOfFrictionThatMayHaveBeenForgotten) {
+  const Change without = [](SceneDef& s) { s.materials[0].friction_angle = 0; };
+  expect_warning(
+      "materials[0] 'clay': friction_angle = 0 with law \"mohr_coulomb\": if it was forgotten, give it; soil without "
+      "friction is law \"undrained\"",
+      without);
+  EXPECT_TRUE(issues_after([&](SceneDef& s) { without(s), s.materials[0].law = "undrained"; }).empty());
+}
+
+TEST(Validate, WarnsOfLoadsAndWaterInOtherUnits) {
+  const auto kilo = [](SceneDef& s) { s.units = Units::kKilopascal; };
+  expect_warning(
+      "loads[0]: a pressure of 20000 kPa is more than any foundation puts on soil; if 20000 Pa is meant, set units to "
+      "SI",
+      [&](SceneDef& s) { kilo(s), s.loads[0].pressure = s.loads[0].pressure_end = 2e7; });
+  const auto wet = [](SceneDef& s) { s.water_table = {{0, 5}, {32, 0}}; };
+  EXPECT_TRUE(issues_after(wet).empty());
+  expect_warning("water: water_unit_weight = 9.81 N/m3: water weighs 9810 N/m3",
+                 [&](SceneDef& s) { wet(s), s.water_unit_weight = 9.81; });
+}
+
+TEST(Validate, WarnsOfAWaterTableThatAPorePressureRatioReplaces) {
+  expect_warning(
+      "water: the pore pressure of 'clay' is that of its pore_pressure_ratio; the water table does not count there",
+      [](SceneDef& s) {
+        s.water_table = {{0, 5}, {32, 0}}, s.materials[0].pore_pressure_ratio = 0.2;
+      });
 }
 
 TEST(Validate, WarnsOfALoadThatPullsUp) {
