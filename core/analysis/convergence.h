@@ -33,8 +33,17 @@ struct ThinLayer {
   Real thickness = kNone;  ///< m; NaN = a single soil, nothing to resolve
 };
 
+/// What an estimate has to know of the section.
+struct SectionFacts {
+  ThinLayer thinnest;
+  Real support = 2.6;    ///< radius of the smoothing kernel, spacings
+  Real height = kNone;   ///< of the slope, m; NaN = unknown
+  bool cut_off = false;  ///< there is soil with a tension cut-off
+};
+
 struct Estimate {
-  std::string status, reason;  ///< OK, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, ENERGY_UNBALANCED
+  std::string status, reason;  ///< OK, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, TOO_COARSE,
+                               ///< ENERGY_UNBALANCED
   double value = kNone;  ///< extrapolated where that can be trusted, half way where the order is unknown, else that of
                          ///< the finest grid
   double error = kNone;  ///< never less than half the bracket of the finest grid
@@ -47,9 +56,8 @@ struct Estimate {
 /// Two grids of which the finer reads higher are not extrapolated: its value, and an error that reaches back to the
 /// other. Brackets enter with their full width. Half of what was extrapolated stays in doubt; a third grid replaces
 /// that half by what the observed order changes. Where the sliding mass differs from grid to grid all of it stays in
-/// doubt. Needs at least one level; every level has a factor of safety. `support`: radius of the smoothing kernel,
-/// spacings.
-Estimate estimate(std::span<const Level> levels, const ThinLayer& thinnest, Real support = 2.6);
+/// doubt. Needs at least one level; every level has a factor of safety.
+Estimate estimate(std::span<const Level> levels, const SectionFacts& section);
 
 /// Wall seconds of a grid with that spacing: particles times steps grow like spacing^-3, or as the last two grids did
 /// when that is faster.

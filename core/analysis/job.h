@@ -58,7 +58,7 @@ struct Level {
 
 struct JobResult {
   std::string status = "NOT_RUN";  ///< OK, AT_REST, TIME_REACHED, STABLE, UNSTABLE, BELOW_MIN, ABOVE_MAX,
-                                   ///< NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE,
+                                   ///< NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, TOO_COARSE,
                                    ///< ENERGY_UNBALANCED, TARGET_NOT_MET, DIVERGED, REFUSED, NO_MEMORY, INTERNAL
   std::string reason, scheme, reduced, flow_rule;
   double factor_of_safety = kNone, srf_stable = kNone, srf_unstable = kNone, error_estimate = kNone;

@@ -101,11 +101,14 @@ class StrengthReductionJob final : public SliceJob {
     if (!open_) closed_ = closed_ladder(levels == 0 ? 2 : levels);
     most_ = open_ ? kOpenLadder : closed_.size();
     const SceneDef& scene = simulation_.scene();
+    facts_.support = 2 * scene.smoothing_ratio, facts_.height = simulation_.get("height");
+    for (const std::size_t m : yielding_soils(simulation_))
+      facts_.cut_off |= !std::isnan(scene.materials[m].tension_cutoff);
     const std::vector<Real> thickness = material_thickness(scene, scene.spacing, simulation_.layers());
     if (std::count_if(thickness.begin(), thickness.end(), [](Real t) { return !std::isnan(t); }) < 2) return;
     for (std::size_t m = 0; m < thickness.size(); ++m)
-      if (!(thickness[m] >= thinnest_.thickness) && !std::isnan(thickness[m]))
-        thinnest_ = {scene.materials[m].name, thickness[m]};
+      if (!(thickness[m] >= facts_.thinnest.thickness) && !std::isnan(thickness[m]))
+        facts_.thinnest = {scene.materials[m].name, thickness[m]};
   }
 
   Grid grid(std::size_t n) const { return open_ ? open_ladder(static_cast<int>(n)) : closed_[n]; }
@@ -206,7 +209,7 @@ class StrengthReductionJob final : public SliceJob {
 
   /// After a level with a bracket.
   void take_stock() {
-    now_ = estimate(whole(), thinnest_, 2 * simulation_.scene().smoothing_ratio);
+    now_ = estimate(whole(), facts_);
     Level& last = result_.levels.back();
     last.estimate = now_.value, last.error_estimate = now_.error;
     result_.srf_stable = last.srf_stable, result_.srf_unstable = last.srf_unstable;
@@ -221,6 +224,28 @@ class StrengthReductionJob final : public SliceJob {
     const std::vector<std::size_t> soils = yielding_soils(simulation_);
     return std::any_of(soils.begin(), soils.end(),
                        [&](std::size_t m) { return simulation_.scene().materials[m].friction_angle > 0; });
+  }
+
+  /// A mechanism that comes out at the end of the section would go on beyond it, and at a lower factor.
+  std::string cut_off_at_a_side() const {
+    constexpr Real kNear = 2, kUpright = 3;  // spacings: from a side; what a side is high that could cut it off
+    const Polygon& exterior = simulation_.section().exterior;
+    const Level& finest = result_.levels.back();
+    const auto [left, right] =
+        std::minmax_element(exterior.begin(), exterior.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+    std::string text;
+    for (const Real side : {left->x, right->x}) {
+      Real low = kInfinity, high = -kInfinity;
+      for (const Point& p : exterior)
+        if (std::fabs(p.x - side) <= 1e-9 * (right->x - left->x)) low = std::min(low, p.y), high = std::max(high, p.y);
+      if (!(high - low > kUpright * finest.spacing_y)) continue;
+      const auto ends_here = [&](const Point& p) { return std::fabs(p.x - side) < kNear * finest.spacing_x; };
+      const std::vector<Point>& line = result_.slip_surface;
+      if (!line.empty() && (ends_here(line.front()) || ends_here(line.back())))
+        text += "; the slip surface comes out at the " + std::string(side == left->x ? "left" : "right") +
+                " end of the section, x = " + number_text(side) + " m: a longer section may fail at a lower factor";
+    }
+    return text;
   }
 
   /// Soils whose cohesion was counted as the least that a grid of that spacing can have (least_cohesion).
@@ -266,6 +291,7 @@ class StrengthReductionJob final : public SliceJob {
                         " % of the value: " + (share > kUseless ? "too coarse to judge the slope by, " : "") +
                         "use a finer spacing";
     result_.reason += raised_cohesion(std::sqrt(levels.back().spacing_x * levels.back().spacing_y));
+    result_.reason += cut_off_at_a_side();
     if (evened_)
       result_.reason += "; '" + contrast_.stiffest + "' counted as " + number_text(option("stiffness_contrast")) +
                         " times as stiff as '" + contrast_.softest + "', not " + number_text(contrast_.ratio) +
@@ -355,14 +381,20 @@ class StrengthReductionJob final : public SliceJob {
         break;
       default:
         result_.status = "NOT_CONVERGED", outcome_ = Status::kNotConverged;
+        if (dilates()) result_.reason += "; soil that dilates may do so on a finer grid, or with dilatancy_angle 0";
     }
+  }
+
+  bool dilates() const {
+    const auto& soils = simulation_.scene().materials;
+    return std::any_of(soils.begin(), soils.end(), [](const MaterialDef& m) { return m.dilatancy_angle > 0; });
   }
 
   double target_ = 0, budget_ = 0;
   bool open_ = false;
   std::vector<Grid> closed_;
   std::size_t most_ = 0;
-  ThinLayer thinnest_;
+  SectionFacts facts_;
   StiffnessContrast contrast_;
   bool evened_ = false;  // stiffer soil counts as less stiff than it is
   SceneDef scene_;       // with that

@@ -78,6 +78,37 @@ TEST(Estimate, OfTwoGridsThatRiseIsTheFinerAndReachesBack) {
   EXPECT_NEAR(estimate(checked, {}).value, 1.19, 1e-12);
 }
 
+TEST(Estimate, OfGridsThatAgreeIsNoBetterThanTheirSpacing) {
+  SectionFacts section;
+  section.height = 10;
+  const std::vector<Level> agreeing{level(1, 1.5), level(0.5, 1.5)};
+  EXPECT_NEAR(estimate(agreeing, section).error, 0.015 + 3 * 0.001, 1e-12);  // 1 % at H/20
+  const std::vector<Level> finer{level(0.5, 1.5), level(0.25, 1.5)};
+  EXPECT_NEAR(estimate(finer, section).error, 0.0075 + 3 * 0.001, 1e-12);
+  EXPECT_EQ(estimate(exact(1, {1, 0.5}), section).error, estimate(exact(1, {1, 0.5}), {}).error);
+  section.height = 0;  // level ground
+  EXPECT_NEAR(estimate(agreeing, section).error, 3 * 0.001, 1e-12);
+}
+
+TEST(Estimate, OfTwoGridsAFifthApartIsRefused) {
+  const std::vector<Level> apart{level(1, 1.3), level(0.5, 0.96)};
+  const Estimate e = estimate(apart, {});
+  EXPECT_EQ(e.status, "TOO_COARSE") << e.reason;
+  EXPECT_EQ(e.value, 0.96);
+  EXPECT_GE(e.error, 1.3 - 0.96);
+  const std::vector<Level> near{level(1, 1.15), level(0.5, 0.97)};
+  EXPECT_EQ(estimate(near, {}).status, "OK");
+}
+
+TEST(Estimate, WhereTensionIsCutOffReachesBeyondTheCoarseGrid) {
+  SectionFacts section;
+  section.cut_off = true;
+  const Estimate e = estimate(exact(1, {1, 0.5}), section);
+  EXPECT_NEAR(e.value, 1.3, 1e-12);
+  EXPECT_NEAR(e.error, 1.5 * 0.1 + 3 * 0.001, 1e-12);
+  EXPECT_NE(e.reason.find("tension cut-off"), std::string::npos) << e.reason;
+}
+
 TEST(Estimate, OfThreeGridsFindsTheOrderAndIsTheTighter) {
   const auto levels = exact(1, {1, 0.5, 0.25});
   const Estimate e = estimate(levels, {});
