@@ -149,7 +149,8 @@ RunoutShape runout_shape(const Simulation& simulation) {
     Real at_toe = 0, front = 0;
     for (std::size_t i = 0; i < soil.size(); ++i) {
       if ((soil.start(i) - toe).norm() < kNear * soil.spacing) at_toe = std::max(at_toe, soil.way(i).norm());
-      if (inside[i] && moved(i) && way * soil.way(i).x() > 0)
+      const bool behind = way * (soil.start(i).x() - toe.x()) < soil.spacing / 2;
+      if (inside[i] && moved(i) && behind && way * soil.way(i).x() > 0)
         front = std::max(front, way * (soil.position(i).x() - toe.x()) + soil.spacing / 2);
     }
     const bool farther = front > shape.runout_distance;

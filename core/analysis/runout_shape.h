@@ -13,7 +13,8 @@ struct RunoutShape {
   /// The toe is the foot of the slope on the side where the front went farther (the lower one as long as none did): of
   /// the free outline from the highest ground to that side, the point farthest below the straight line from end to end.
   Real toe_displacement = 0;  ///< largest way of the soil within one and a half spacings of the toe, m
-  /// Front of the connected mass that moved by more than a spacing to that side, beyond the toe, m.
+  /// Front of what came from behind the toe, in the connected mass, and moved by more than a spacing to that side: how
+  /// far it is beyond the toe, m. Ground before the toe that is pushed up or along does not count.
   Real runout_distance = 0;
   Real stopped_at = kNone;    ///< x of the wall that ends the section, where the front has come up to it, m
   Real moved_area = 0;        ///< soil that moved by more than a spacing, m2

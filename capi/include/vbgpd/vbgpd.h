@@ -342,7 +342,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_runout(const vbgpd_model* f
  * then it moves (phase 6) until its kinetic energy is below 1e-6 of its peak, until it is plain that the slope stands, or to the
  * job's "end_time" (s of the model's time; 0 = to rest). Afterwards another job goes on with the same model. Results: status
  * AT_REST or TIME_REACHED, crest_settlement (of the highest ground, from the undeformed section on), toe_displacement (soil at the foot of the slope on the side
- * where the front went farther), runout_distance (front of the connected mass that moved a spacing or more, beyond that foot),
+ * where the front went farther), runout_distance (of the connected mass that came from behind that foot and moved a spacing or more: its front, beyond the foot),
  * moved_area (soil that did), plastic_fraction, max_displacement, energy_residual. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_runout(vbgpd_model*, vbgpd_job** out);
 
@@ -381,7 +381,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] 
  * cpu_seconds is the processor time that the whole process, all its threads, took while the job ran.
  * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_f64(const vbgpd_job*, const char* name, int64_t len, double* value);
-/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, ENERGY_UNBALANCED:
+/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, TOO_COARSE, ENERGY_UNBALANCED:
  * the value of the finest grid is given as it is; TARGET_NOT_MET; DIVERGED; REFUSED: a grid could not be made; NO_MEMORY; INTERNAL), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 
