@@ -11,7 +11,7 @@ StepReport FlowSimulation::march(const Goal& goal, const StepWatch& watch) {
   StepReport report;
   const Workers::Session session(workers_);
   FlowControls c = controls();
-  if (room_ < 0) state_was_changed();  // memory ran out before the lists of the last step could be made
+  if (room_ < 0) refresh_neighbours(0);  // memory ran out before the lists of the last step could be looked at
   open_ledger();
   // A particle that crosses a spacing in a step has left the method; the state of at most kKeep steps before is good.
   constexpr std::int64_t kKeep = 256;

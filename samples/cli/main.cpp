@@ -42,7 +42,7 @@ void describe_fos(CLI::App& app, FosOptions& options) {
       ->check(CLI::Range(1, 5));
   app.add_option(
          "--target-error", options.target_error,
-         "end when the error estimate is this small; without --levels grids may get finer than the scene's spacing")
+         "end when the error estimate, a factor of safety, is this small; without --levels grids may get finer than the scene's spacing")
       ->type_name("E")
       ->check(CLI::Range(1e-3, 1.0));
   app.add_option("--budget", options.budget,
@@ -55,7 +55,7 @@ void describe_fos(CLI::App& app, FosOptions& options) {
   app.add_option("--threads", options.threads, "threads (default 1), 0 = all cores; the result does not depend on it")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
-  app.add_option("--tolerance", options.tolerance, "width of the bracket asked for, instead of the scene's")
+  app.add_option("--tolerance", options.tolerance, "width of the bracket asked for, a factor of safety, instead of the scene's")
       ->type_name("T")
       ->check(positive_number());
   app.add_option("--stiffness-contrast", options.stiffness_contrast,
@@ -74,7 +74,7 @@ void describe_fos(CLI::App& app, FosOptions& options) {
 
 void describe_run(CLI::App& app, RunOptions& options) {
   app.add_option("SCENE", options.scene, "scene file (JSON)")->required();
-  app.add_option("--time", options.time, "simulated time to stop at; the run ends before when all is at rest")
+  app.add_option("--time", options.time, "simulated time to stop at, s; the run ends before when all is at rest")
       ->type_name("T")
       ->required()
       ->check(positive_number());

@@ -10,7 +10,11 @@ namespace cli {
 namespace {
 
 std::string place(Point p) {
-  const auto number = [](double v) { return plain_number(std::fabs(v) < 1e-6 ? 0 : v, 5); };  // m: no round-off
+  // m, to the centimetre at least where coordinates are those of a map
+  const auto number = [](double v) {
+    const double size = std::fabs(v);
+    return size < 1e-6 ? "0" : size < 1000 ? plain_number(v, 5) : format("%.2f", v);
+  };
   return format("(%s, %s)", number(p.x).c_str(), number(p.y).c_str());
 }
 

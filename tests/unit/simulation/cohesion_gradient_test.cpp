@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/scenes.h"
+#include "simulation/build_model.h"
 #include "simulation/lattice_simulation.h"
 
 namespace vbgpd::test {
