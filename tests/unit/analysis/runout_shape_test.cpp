@@ -35,6 +35,11 @@ TEST(RunoutShape, IsMeasuredOnTheSideWhereTheFrontIs) {
   EXPECT_NEAR(pushed(bank, 4.5, -4).runout_distance, 3, 1.5);
 }
 
+TEST(RunoutShape, GroundThatIsPushedAlongBeforeTheToeIsNoFront) {
+  // everything moves by 2 m, the foreground of 18 m too: what came from behind the toe is 2 m beyond it
+  EXPECT_NEAR(pushed({{0, 0}, {50, 0}, {50, 5}, {32, 5}, {12, 15}, {0, 15}}, -1, 2).runout_distance, 2, 1);
+}
+
 TEST(RunoutShape, BeginsAtTheFootOfAFreeFace) {
   EXPECT_NEAR(pushed({{0, 0}, {5, 0}, {5, 10}, {0, 10}}, 0, 2).runout_distance, 2, 0.1);
 }
