@@ -224,8 +224,11 @@ Estimate reading_of(const Grids& g) {
   Estimate e = of_two_grids(g);
   if (g.third != nullptr) take_third_grid(g, e);
   if (e.status != "OK") return e;
-  if (spans_a_layer(g)) stay_in_the_middle(g, e);
-  else widen_where_in_doubt(g, e);
+  if (spans_a_layer(g)) {
+    stay_in_the_middle(g, e);
+    return e;
+  }
+  widen_where_in_doubt(g, e);
   widen_where_tension_is_cut_off(g, e);
   refuse_far_apart(g, e);
   return e;
