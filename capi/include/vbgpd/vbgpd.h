@@ -191,6 +191,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_create_from_flatbuffer(vbgpd_con
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_to_flatbuffer(const vbgpd_profile*, void* buf, int64_t cap, int64_t* needed);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_destroy(vbgpd_profile*);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_set_exterior(vbgpd_profile*, const double* xy, int64_t stride, int64_t n);
+/* At most 256 materials (vbgpd_profile_validate says so). */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_material(vbgpd_profile*, const char* name, int64_t len, int64_t* material_id);
 /* Layers are painted in order; n = 0 (xy NULL) fills the exterior, later polygons overwrite. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_layer(vbgpd_profile*, const double* xy, int64_t stride, int64_t n, int64_t material_id, int64_t* layer_id);
@@ -237,7 +238,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* 
  * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds, plastic_bonds,
  * bytes, and the energy ledger of dynamic steps: kinetic_energy, elastic_energy, plastic_dissipation, damping_dissipation,
  * external_work, energy_residual (relative to the largest of them; what jobs relax is not booked: after one, 0 until the next
- * step, and the elastic energy counts from there); and estimates of a factor of safety on this grid, from
+ * step, and the elastic energy counts from there; NaN while walls are moved, whose work is not booked); and estimates of a factor of safety on this grid, from
  * steps that are run when asked and taken back: forecast_step_seconds (measured), forecast_steps, forecast_seconds, forecast_bytes
  * (like a call that changes the model: VBGPD_E_LEASED, VBGPD_E_STATE while a job is under way; a run-out: VBGPD_E_UNSUPPORTED) */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_get_f64(const vbgpd_model*, const char* name, int64_t len, double* value);
