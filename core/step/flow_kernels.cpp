@@ -1,5 +1,7 @@
 #include "step/flow_kernels.h"
 
+#include "step/processor.h"
+
 namespace vbgpd {
 
 extern const FlowStepTable kFlowTable_portable, kFlowTable_x86_64_v2, kFlowTable_x86_64_v3;
@@ -7,13 +9,10 @@ extern const FlowStepTable kFlowTable_portable, kFlowTable_x86_64_v2, kFlowTable
 std::span<const FlowKernels> all_flow_kernels() {
   static const FlowKernels list[] = {
 #if defined(VBGPD_HAS_x86_64_v3)
-    {"x86-64-v3",
-     __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
-         __builtin_cpu_supports("bmi2"),
-     kFlowTable_x86_64_v3},
+    {"x86-64-v3", has_x86_64_v3(), kFlowTable_x86_64_v3},
 #endif
 #if defined(VBGPD_HAS_x86_64_v2)
-    {"x86-64-v2", __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt"), kFlowTable_x86_64_v2},
+    {"x86-64-v2", has_x86_64_v2(), kFlowTable_x86_64_v2},
 #endif
     {"portable", true, kFlowTable_portable}
   };

@@ -1,5 +1,7 @@
 #include "step/kernels.h"
 
+#include "step/processor.h"
+
 namespace vbgpd {
 
 extern const StepTable kStepTable_portable;
@@ -10,20 +12,13 @@ extern const int kStepWidth_x86_64_v2, kStepWidth_x86_64_v3, kStepWidth_x86_64_v
 std::span<const Kernels> all_kernels() {
   static const Kernels list[] = {
 #if defined(VBGPD_HAS_x86_64_v4)
-    {"x86-64-v4", kStepWidth_x86_64_v4,
-     __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd"),
-     &kStepTable_x86_64_v4},
+    {"x86-64-v4", kStepWidth_x86_64_v4, has_x86_64_v4(), &kStepTable_x86_64_v4},
 #endif
 #if defined(VBGPD_HAS_x86_64_v3)
-    {"x86-64-v3", kStepWidth_x86_64_v3,
-     __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
-         __builtin_cpu_supports("bmi2"),
-     &kStepTable_x86_64_v3},
+    {"x86-64-v3", kStepWidth_x86_64_v3, has_x86_64_v3(), &kStepTable_x86_64_v3},
 #endif
 #if defined(VBGPD_HAS_x86_64_v2)
-    {"x86-64-v2", kStepWidth_x86_64_v2, __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt"),
-     &kStepTable_x86_64_v2},
+    {"x86-64-v2", kStepWidth_x86_64_v2, has_x86_64_v2(), &kStepTable_x86_64_v2},
 #endif
     {"portable", kStepWidth_portable, true, &kStepTable_portable}
   };
