@@ -17,9 +17,8 @@ namespace {
 constexpr double kStepsPerRoot = 70, kDilatant = 280;
 
 double steps_per_root(const Simulation& simulation) {
-  const std::vector<std::size_t> soils = yielding_soils(simulation);
-  const auto dilates = [&](std::size_t m) { return simulation.scene().materials[m].dilatancy_angle > 0; };
-  return std::any_of(soils.begin(), soils.end(), dilates) ? kDilatant : kStepsPerRoot;
+  const auto dilates = [](const MaterialDef& m) { return m.dilatancy_angle > 0; };
+  return any_yielding_soil(simulation, dilates) ? kDilatant : kStepsPerRoot;
 }
 
 double measured_step(Simulation& simulation) {

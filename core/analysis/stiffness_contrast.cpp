@@ -20,6 +20,11 @@ std::vector<std::size_t> yielding_soils(const Simulation& simulation) {
   return out;
 }
 
+bool any_yielding_soil(const Simulation& simulation, bool (*is_so)(const MaterialDef&)) {
+  const std::vector<std::size_t> soils = yielding_soils(simulation);
+  return std::any_of(soils.begin(), soils.end(), [&](std::size_t m) { return is_so(simulation.scene().materials[m]); });
+}
+
 StiffnessContrast stiffness_contrast(const Simulation& simulation) {
   const std::vector<MaterialDef>& materials = simulation.scene().materials;
   const std::vector<std::size_t> there = yielding_soils(simulation);

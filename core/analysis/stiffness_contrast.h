@@ -7,6 +7,8 @@ namespace vbgpd {
 
 /// Numbers of the soils of the section that may yield.
 std::vector<std::size_t> yielding_soils(const Simulation& simulation);
+/// Whether one of them is so.
+bool any_yielding_soil(const Simulation& simulation, bool (*is_so)(const MaterialDef&));
 
 struct StiffnessContrast {
   double ratio = 1;               ///< of the stiffest soil of the section to the softest, Young's moduli

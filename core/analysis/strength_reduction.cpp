@@ -102,8 +102,7 @@ class StrengthReductionJob final : public SliceJob {
     most_ = open_ ? kOpenLadder : closed_.size();
     const SceneDef& scene = simulation_.scene();
     facts_.support = 2 * scene.smoothing_ratio, facts_.height = simulation_.get("height");
-    for (const std::size_t m : yielding_soils(simulation_))
-      facts_.cut_off |= !std::isnan(scene.materials[m].tension_cutoff);
+    facts_.cut_off = any_yielding_soil(simulation_, [](const MaterialDef& m) { return !std::isnan(m.tension_cutoff); });
     const std::vector<Real> thickness = material_thickness(scene, scene.spacing, simulation_.layers());
     if (std::count_if(thickness.begin(), thickness.end(), [](Real t) { return !std::isnan(t); }) < 2) return;
     for (std::size_t m = 0; m < thickness.size(); ++m)
@@ -221,9 +220,7 @@ class StrengthReductionJob final : public SliceJob {
   }
 
   bool has_friction() const {
-    const std::vector<std::size_t> soils = yielding_soils(simulation_);
-    return std::any_of(soils.begin(), soils.end(),
-                       [&](std::size_t m) { return simulation_.scene().materials[m].friction_angle > 0; });
+    return any_yielding_soil(simulation_, [](const MaterialDef& m) { return m.friction_angle > 0; });
   }
 
   /// A mechanism that comes out at the end of the section would go on beyond it, and at a lower factor.
@@ -386,8 +383,7 @@ class StrengthReductionJob final : public SliceJob {
   }
 
   bool dilates() const {
-    const auto& soils = simulation_.scene().materials;
-    return std::any_of(soils.begin(), soils.end(), [](const MaterialDef& m) { return m.dilatancy_angle > 0; });
+    return any_yielding_soil(simulation_, [](const MaterialDef& m) { return m.dilatancy_angle > 0; });
   }
 
   double target_ = 0, budget_ = 0;
