@@ -20,11 +20,15 @@ bool same_place(const Issue& a, const Issue& b) {
   return a.severity == Severity::kError && a.object == b.object && a.object_id == b.object_id && a.item == b.item;
 }
 
-void warn(std::size_t material, double value, const std::string& text, std::vector<Issue>& issues) {
+void warn(ObjectKind object, std::int64_t id, double value, const std::string& text, std::vector<Issue>& issues) {
   Issue issue;
-  issue.severity = Severity::kWarning, issue.status = Status::kOk, issue.object = ObjectKind::kMaterial;
-  issue.object_id = static_cast<std::int64_t>(material), issue.value = value, issue.text = text;
+  issue.severity = Severity::kWarning, issue.status = Status::kOk, issue.object = object;
+  issue.object_id = id, issue.value = value, issue.text = text;
   issues.push_back(std::move(issue));
+}
+
+void warn(std::size_t material, double value, const std::string& text, std::vector<Issue>& issues) {
+  warn(ObjectKind::kMaterial, static_cast<std::int64_t>(material), value, text, issues);
 }
 
 /// Spacing of the lattice that a scene gets where it asks for that: within 10 % of it, so that edges fit.
@@ -74,13 +78,11 @@ void warn_of_coarse_grid(const SceneDef& scene, std::vector<Issue>& issues) {
     low = std::min(low, exterior[k].y), high = std::max(high, exterior[k].y);
   const Real cells = (high - low) / scene.spacing;
   if (!(cells > 1 && cells < kFew)) return;
-  Issue issue;
-  issue.severity = Severity::kWarning, issue.status = Status::kOk, issue.object = ObjectKind::kProfile;
-  issue.value = scene.spacing;
-  issue.text = "spacing = " + number_text(scene.spacing) + " m: the ground rises by " + number_text(cells, 2) +
-               " spacings only; a factor of safety takes about " + number_text(kEnough) + ", a spacing of " +
-               number_text((high - low) / kEnough, 2) + " m";
-  issues.push_back(std::move(issue));
+  warn(ObjectKind::kProfile, -1, scene.spacing,
+       "spacing = " + number_text(scene.spacing) + " m: the ground rises by " + number_text(cells, 2) +
+           " spacings only; a factor of safety takes about " + number_text(kEnough) + ", a spacing of " +
+           number_text((high - low) / kEnough, 2) + " m",
+       issues);
 }
 
 void warn_of_unused_soils(const SceneDef& scene, std::vector<Issue>& issues) {
