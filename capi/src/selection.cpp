@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "arrays.h"
-#include "simulation/sampler.h"
+#include "geometry/polygon.h"
 
 namespace vbgpd::capi {
 namespace {
@@ -99,7 +99,7 @@ std::vector<std::int64_t> selected(const Simulation& simulation, const vbgpd_sel
       const Polygon polygon = points_in(s.xy, stride, s.n_points, argument);
       if (polygon.size() < 3) refuse(argument, "The polygon of the selection needs 3 points or more.");
       const auto xy = field_rows(simulation, "position");
-      return those(n, [&](std::size_t k) { return inside(polygon, xy[2 * k], xy[2 * k + 1]); });
+      return those(n, [&](std::size_t k) { return contains(polygon, Vec2(xy[2 * k], xy[2 * k + 1])); });
     }
     case VBGPD_SELECT_MATERIAL: {
       require_object(s.object_id, simulation.scene().materials.size(), "material", argument);

@@ -57,7 +57,7 @@ void Sampler::fit(double x, double y, const std::vector<double>& rows, int compo
 }
 
 bool Sampler::soil_at(double x, double y) const {
-  return inside(exterior_, x, y) && (!map_ || has_layer(layers_, map_->at(x, y)));
+  return contains(exterior_, Vec2(x, y)) && (!map_ || has_layer(layers_, map_->at(x, y)));
 }
 
 bool Sampler::at(double x, double y, double* out) const {

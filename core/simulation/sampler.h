@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/polygon.h"
 #include "geometry/stages.h"
 #include "simulation/buckets.h"
 #include "simulation/simulation.h"
@@ -41,7 +40,5 @@ class Sampler {
 
 /// The ground surface in its present shape, left to right, a point about every particle spacing.
 std::vector<Point> deformed_ground(const Simulation& simulation);
-
-inline bool inside(const Polygon& polygon, double x, double y) { return contains(polygon, Vec2(x, y)); }
 
 }  // namespace vbgpd
