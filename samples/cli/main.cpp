@@ -40,9 +40,9 @@ void describe_fos(CLI::App& app, FosOptions& options) {
                  "grids, coarse to fine, the last with the scene's spacing (default 2); 1 = no extrapolation")
       ->type_name("N")
       ->check(CLI::Range(1, 5));
-  app.add_option(
-         "--target-error", options.target_error,
-         "end when the error estimate, a factor of safety, is this small; without --levels grids may get finer than the scene's spacing")
+  app.add_option("--target-error", options.target_error,
+                 "end when the error estimate, a factor of safety, is this small; without --levels grids may get finer "
+                 "than the scene's spacing")
       ->type_name("E")
       ->check(CLI::Range(1e-3, 1.0));
   app.add_option("--budget", options.budget,
@@ -55,7 +55,8 @@ void describe_fos(CLI::App& app, FosOptions& options) {
   app.add_option("--threads", options.threads, "threads (default 1), 0 = all cores; the result does not depend on it")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
-  app.add_option("--tolerance", options.tolerance, "width of the bracket asked for, a factor of safety, instead of the scene's")
+  app.add_option("--tolerance", options.tolerance,
+                 "width of the bracket asked for, a factor of safety, instead of the scene's")
       ->type_name("T")
       ->check(positive_number());
   app.add_option("--stiffness-contrast", options.stiffness_contrast,
