@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/polygon.h"
 #include "simulation/linear_fit.h"
 
 namespace vbgpd {
