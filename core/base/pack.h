@@ -32,6 +32,10 @@ using PackU [[gnu::vector_size(kWidth * sizeof(double)), gnu::aligned(8), gnu::m
 using SinglePackU [[gnu::vector_size(kWidth * sizeof(float)), gnu::aligned(4), gnu::may_alias]] = float;
 using Mask [[gnu::vector_size(kWidth * sizeof(double))]] = std::int64_t;
 
+/// What a comparison of two R gives: bool, or a mask of the lanes.
+template <class R>
+using Truth = decltype(R{} > R{});
+
 #define VBGPD_INLINE [[gnu::always_inline]] inline
 
 VBGPD_INLINE Pack load(const double* p) { return *reinterpret_cast<const PackU*>(p); }

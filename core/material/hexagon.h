@@ -71,80 +71,104 @@ struct Hexagon {
     per_own_ = 1 / own;
     per_upper_ = 1 / (own * own - upper_ * upper_), per_lower_ = 1 / (own * own - lower_ * lower_);
     own_ = own;
+    apex_per_k_ = a > 0 ? 0.5 / a : std::numeric_limits<double>::infinity();
   }
 
-  /// Closed-form return; all shear regimes in lockstep, the rare cut-off lane by lane. Exact: a second return changes
-  /// nothing.
-  VBGPD_INLINE Returned<R> returned(const Stress<R>& s) const {
-    const R zero = R{};
-    const R half = (s.xx + s.yy) * 0.5, difference = (s.xx - s.yy) * 0.5;
-    const R radius = root(difference * difference + s.xy * s.xy), center = s.m + half, zz = s.m - 2.0 * half;
-    const R in_major = center + radius, in_minor = center - radius;
-    const Principal<R> trial{larger(in_major, zz), larger(in_minor, smaller(in_major, zz)), smaller(in_minor, zz)};
-    const R f = yield(trial.s1, trial.s3);
-    const auto yields = (f > zero) | (trial.s1 > t);
-    if (!any(yields)) return {s, zero, false};
+  /// Whether a trial stress yields, and what says so: its principal stresses and the yield function of the main plane.
+  struct Look {
+    Principal<R> s;  ///< sorted principal stresses less the mean stress
+    R diameter, f;
+    Truth<R> yields;
+  };
+  VBGPD_INLINE Look look(const Stress<R>& trial, R strength) const {
+    const R zz = trial.zz(), half = zz * -0.5, difference = trial.xx - trial.yy;
+    const R diameter = root(difference * difference + 4.0 * (trial.xy * trial.xy));
+    const R s1 = larger(half + 0.5 * diameter, zz), s3 = smaller(half - 0.5 * diameter, zz);
+    const R f = yield(s1, s3) + (2 * a * trial.m - strength);
+    const Truth<R> sheared = f > R{}, torn = s1 + trial.m > t;
+    return {{s1, -(s1 + s3), s3}, diameter, f, static_cast<Truth<R>>(sheared | torn)};
+  }
 
-    Principal<R> p = shear_return(trial, larger(f, zero));
-    if (any(p.s1 > t)) cut_off(trial, p);
+  VBGPD_INLINE Returned<R> returned(const Stress<R>& trial) const {
+    const Look looked = look(trial, k);
+    if (!any(looked.yields)) return {trial, R{}, false};
+    return returned(trial, looked, k);
+  }
+  /// Closed-form return where a lane yields; all shear regimes in lockstep, the rare cut-off lane by lane. Exact: a
+  /// second return changes nothing.
+  VBGPD_INLINE Returned<R> returned(const Stress<R>& trial, const Look& looked, R strength) const {
+    const R zero = R{};
+    const Truth<R> yields = looked.yields;
+
+    Principal<R> p = shear_return(looked, larger(looked.f, zero));
+    R mean = (p.s1 + p.s2 + p.s3) * (1.0 / 3.0);
+    const R apex = strength * apex_per_k_;  // c cot phi
+    const auto beyond = trial.m + mean > apex;
+    if (any(beyond)) {
+      mean = select(beyond, apex - trial.m, mean);
+      p = {select(beyond, mean, p.s1), select(beyond, mean, p.s2), select(beyond, mean, p.s3)};
+    }
+    if (any(p.s1 + trial.m > t)) {
+      cut_off(looked.s, trial.m, strength, p);
+      mean = (p.s1 + p.s2 + p.s3) * (1.0 / 3.0);
+    }
 
     // back from sorted to in-plane major, in-plane minor and zz
-    const auto above = zz > in_major, below = zz < in_minor;
-    const R major = select(above, p.s2, p.s1), minor = select(below, p.s2, p.s3);
-    const R m = (p.s1 + p.s2 + p.s3) * (1.0 / 3.0);
-    const R ratio = (major - minor) * 0.5 / select(radius > zero, radius, filled<R>(1.0)),
-            deviator = (major + minor) * 0.5 - m;
+    const R zz = trial.zz(), difference = trial.xx - trial.yy;
+    const R major = select(zz >= looked.s.s1, p.s2, p.s1), minor = select(zz <= looked.s.s3, p.s2, p.s3);
+    const R ratio = (major - minor) / larger(looked.diameter, filled<R>(1e-300));
+    const R center = (major + minor) * 0.5 - mean, offset = 0.5 * difference;
     Returned<R> out;
-    out.stress = {select(yields, deviator + difference * ratio, s.xx),
-                  select(yields, deviator - difference * ratio, s.yy), select(yields, s.xy * ratio, s.xy),
-                  select(yields, m, s.m)};
+    out.stress = {select(yields, center + offset * ratio, trial.xx), select(yields, center - offset * ratio, trial.yy),
+                  select(yields, trial.xy * ratio, trial.xy), select(yields, trial.m + mean, trial.m)};
     out.dilated = zero;
-    if (b > 0) out.dilated = select(trial.s1 <= t, larger(s.m - out.stress.m, zero) / bulk, zero);
+    if (b > 0) out.dilated = select(looked.s.s1 + trial.m <= t, larger(-mean, zero) / bulk, zero);
     out.any = true;
     return out;
   }
 
  private:
-  double neutral_, major_, minor_, own_, upper_, lower_, per_own_, per_upper_, per_lower_;
+  double neutral_, major_, minor_, own_, upper_, lower_, per_own_, per_upper_, per_lower_, apex_per_k_;
 
-  VBGPD_INLINE R yield(R s1, R s3) const { return (s1 - s3) + (s1 + s3) * a - k; }
+  /// What a plane's yield function has of its largest and smallest stress; the deviators' mean and k are the same for
+  /// all planes.
+  VBGPD_INLINE R yield(R s1, R s3) const { return s1 * (1 + a) - s3 * (1 - a); }
 
   /// Main plane; where it would put the stresses out of order, two planes at once (upper edge: sigma_1 = sigma_2, lower
-  /// edge: sigma_2 = sigma_3); beyond the apex, the apex.
-  VBGPD_INLINE Principal<R> shear_return(const Principal<R>& trial, R f) const {
-    const R step = f * per_own_;
-    Principal<R> p{trial.s1 - step * major_, trial.s2 - step * neutral_, trial.s3 - step * minor_};
-    const R slack = (magnitude(trial.s1) + magnitude(trial.s3)) * 1e-14;
-    const auto upper = p.s2 > p.s1 + slack, lower = p.s3 > p.s2 + slack;
-    if (any(upper)) {
-      const R g = yield(trial.s2, trial.s3);
-      const R x = (f * own_ - g * upper_) * per_upper_, y = (g * own_ - f * upper_) * per_upper_;
-      p = {select(upper, trial.s1 - x * major_ - y * neutral_, p.s1),
-           select(upper, trial.s2 - x * neutral_ - y * major_, p.s2), select(upper, trial.s3 - (x + y) * minor_, p.s3)};
-    }
-    if (any(lower)) {
-      const R g = yield(trial.s1, trial.s2);
-      const R x = (f * own_ - g * lower_) * per_lower_, y = (g * own_ - f * lower_) * per_lower_;
-      p = {select(lower, trial.s1 - (x + y) * major_, p.s1), select(lower, trial.s2 - x * neutral_ - y * minor_, p.s2),
-           select(lower, trial.s3 - x * minor_ - y * neutral_, p.s3)};
-    }
-    if (a > 0) {
-      const R apex = k * (0.5 / a);  // c cot phi
-      const auto beyond = p.s1 + p.s2 + p.s3 > 3.0 * apex;
-      if (any(beyond)) p = {select(beyond, apex, p.s1), select(beyond, apex, p.s2), select(beyond, apex, p.s3)};
+  /// edge: sigma_2 = sigma_3). Stresses less the mean stress of the trial.
+  VBGPD_INLINE Principal<R> shear_return(const Look& looked, R f) const {
+    const Principal<R>& s = looked.s;
+    R x = f * per_own_;
+    Principal<R> p{s.s1 - x * major_, s.s2 - x * neutral_, s.s3 - x * minor_};
+    const R slack = (s.s1 - s.s3) * 1e-14;
+    const Truth<R> upper = p.s2 > p.s1 + slack, lower = p.s3 > p.s2 + slack;
+    if (any(upper | lower)) {
+      // the yield function of the second plane differs by that of the axis it does not share with the first
+      const R g = f + select(upper, (s.s2 - s.s1) * (1 + a), (s.s3 - s.s2) * (1 - a));
+      const R cross = select(upper, filled<R>(upper_), filled<R>(lower_));
+      const R per = select(upper, filled<R>(per_upper_), filled<R>(per_lower_));
+      const R y = select(upper | lower, (g * own_ - f * cross) * per, R{});
+      x -= y * cross * per_own_;
+      p = {s.s1 - x * major_ - y * select(upper, filled<R>(neutral_), filled<R>(major_)),
+           s.s2 - x * neutral_ - y * select(upper, filled<R>(major_), filled<R>(minor_)),
+           s.s3 - x * minor_ - y * select(upper, filled<R>(minor_), filled<R>(neutral_))};
     }
     return p;
   }
 
-  VBGPD_INLINE void cut_off(const Principal<double>& trial, Principal<double>& p) const {
-    if (p.s1 > t) p = CutOffReturn(constants())(trial, k);
+  VBGPD_INLINE void cut_off(const Principal<double>& s, double m, double strength, Principal<double>& p) const {
+    if (p.s1 + m > t) p = cut_off(s, m, strength);
   }
-  void cut_off(const Principal<Pack>& trial, Principal<Pack>& p) const {
+  void cut_off(const Principal<Pack>& s, const Pack& m, const Pack& strength, Principal<Pack>& p) const {
     for (int l = 0; l < kWidth; ++l) {
-      if (!(p.s1[l] > t)) continue;
-      const Principal<double> r = CutOffReturn(constants())({trial.s1[l], trial.s2[l], trial.s3[l]}, k[l]);
+      if (!(p.s1[l] + m[l] > t)) continue;
+      const Principal<double> r = cut_off({s.s1[l], s.s2[l], s.s3[l]}, m[l], strength[l]);
       p.s1[l] = r.s1, p.s2[l] = r.s2, p.s3[l] = r.s3;
     }
+  }
+  Principal<double> cut_off(const Principal<double>& s, double m, double strength) const {
+    const Principal<double> r = CutOffReturn(constants())({s.s1 + m, s.s2 + m, s.s3 + m}, strength);
+    return {r.s1 - m, r.s2 - m, r.s3 - m};
   }
   LawConstants constants() const {
     LawConstants c;

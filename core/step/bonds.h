@@ -43,13 +43,13 @@ struct BondWork {
   Pack source;  ///< plastic dilation times B_ij/2
 };
 
-/// Cohesion that grows with depth is added to the strength of the pair.
+/// Strength of a bond: cohesion that grows with depth is added to that of the pair.
 template <class LawOnPacks>
-VBGPD_INLINE void add_cohesion(LawOnPacks& law, const StepData& d, const Controls& controls, const LawConstants& c,
-                               int i, int j) {
-  const Pack extra =
-      (load(d.extra_cohesion + i) + load(d.extra_cohesion + j)) * (0.5 * controls.cohesion_scale * c.k_per_cohesion);
-  law.k += extra;
+VBGPD_INLINE Pack strength_of(const LawOnPacks& law, const StepData& d, const Controls& controls, const LawConstants& c,
+                              int i, int j) {
+  if (d.extra_cohesion == nullptr) return law.k;
+  return law.k +
+         (load(d.extra_cohesion + i) + load(d.extra_cohesion + j)) * (0.5 * controls.cohesion_scale * c.k_per_cohesion);
 }
 
 /// Records follow each other in the order of the packs, in and out of cache by far more than one batch: those of the
@@ -82,16 +82,19 @@ VBGPD_INLINE void trial_stress(const StepData& d, const BondEnd& a, const BondPa
   w.half = visible(half, pack.lanes);
 }
 
-/// VB4: return to the yield surface; plastic strain is updated in place, elastic bonds write nothing.
+/// VB4: return to the yield surface, where the look at the trial stress says so; plastic strain is updated in place,
+/// elastic bonds write nothing.
 template <bool kLedger, class Sites, class LawOnPacks>
 VBGPD_INLINE void return_stress(const StepData& d, const BondPack& pack, const LawOnPacks& law, double compliance,
-                                BondWork<Sites>& w, double& plastic_work) {
-  const Stress<Pack> trial = w.stress;
-  const Returned<Pack> r = law.returned(trial);
-  const Stress<Pack>& s = r.stress;
+                                const typename LawOnPacks::Look& looked, Pack strength, BondWork<Sites>& w,
+                                double& plastic_work) {
   const Pack half = w.half;
   w.source = Pack{};
-  if (r.any && d.plastic_strain != nullptr) {
+  if (any(looked.yields)) {
+    const Stress<Pack> trial = w.stress;
+    const Returned<Pack> r = law.returned(trial, looked, strength);
+    const Stress<Pack>& s = r.stress;
+    w.stress = s;
     const Pack there = select(half > Pack{}, broadcast(compliance), Pack{});
     const Pack dxx = (trial.xx - s.xx) * there, dyy = (trial.yy - s.yy) * there, dxy = (trial.xy - s.xy) * there;
     if (d.plastic_strain_to != nullptr) {
@@ -103,8 +106,8 @@ VBGPD_INLINE void return_stress(const StepData& d, const BondPack& pack, const L
     if constexpr (kLedger) plastic_work += 2 * lane_sum(half * shear_work(s, dxx, dyy, dxy));
   }
   if constexpr (kLedger)
-    if (d.opening != nullptr) plastic_work += lane_sum(opening_work(d, pack, half, s.m));
-  w.stress = {half * s.xx, half * s.yy, half * s.xy, half * s.m};
+    if (d.opening != nullptr) plastic_work += lane_sum(opening_work(d, pack, half, w.stress.m));
+  w.stress = {half * w.stress.xx, half * w.stress.yy, half * w.stress.xy, half * w.stress.m};
 }
 
 /// VB5: V_i S_i = sum_j B_ij/2 [ s (I - n n^T) + m I ] of both ends, pair force B_ij s n / r with opposite signs.
@@ -151,6 +154,7 @@ inline double bond_pass(const StepData& shared, const Controls& shared_controls,
   double plastic_work = 0;
   const int end = chunk.packs_end[algorithm];
   BondWork<Sites> work[kMost];
+  typename Law<Pack>::Look looks[kMost];
   for (int p = chunk.packs_begin[algorithm]; p < end;) {
     const std::int32_t pair = d.packs[p].pair;  // of materials: most sections have one
     const LawConstants constants = controls.constants[pair];
@@ -162,12 +166,13 @@ inline double bond_pass(const StepData& shared, const Controls& shared_controls,
       int count = 1;
       while (p + count < end && batch[count].i == batch->i && batch[count].pair == pair && count < kMost) ++count;
       const BondEnd a = bond_end(d, batch->i);
-      for (int n = 0; n < count; ++n) trial_stress(d, a, batch[n], law, work[n]);
       for (int n = 0; n < count; ++n) {
-        Law<Pack> own = law;
-        if (d.extra_cohesion != nullptr) add_cohesion(own, d, controls, constants, batch->i, batch[n].j);
-        return_stress<kLedger>(d, batch[n], own, compliance, work[n], plastic_work);
+        trial_stress(d, a, batch[n], law, work[n]);
+        looks[n] = law.look(work[n].stress, strength_of(law, d, controls, constants, batch->i, batch[n].j));
       }
+      for (int n = 0; n < count; ++n)
+        return_stress<kLedger>(d, batch[n], law, compliance, looks[n],
+                               strength_of(law, d, controls, constants, batch->i, batch[n].j), work[n], plastic_work);
       add_loads(d, batch->i, batch, work, count, sourced, constants.bulk_modulus);
       p += count;
     }
