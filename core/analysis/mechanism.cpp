@@ -28,6 +28,16 @@ std::vector<double> shearing(const Instant& before, const Instant& after) {
   return out;
 }
 
+/// One component of the displacement between two instants, by id.
+std::vector<double> moved_along(int axis, const Instant& before, const Instant& after) {
+  std::vector<double> out(after.plastic_strain.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const std::size_t k = 2 * i + static_cast<std::size_t>(axis);
+    out[i] = after.displacement[k] - before.displacement[k];
+  }
+  return out;
+}
+
 /// The value that a share of the soil cells stays below.
 double quantile(const CellGrid& grid, double share) {
   std::vector<double> soil;
@@ -76,6 +86,20 @@ std::vector<bool> moving_mass(const CellGrid& grid, double least) {
         best[static_cast<std::size_t>(b) * static_cast<std::size_t>(grid.width()) + static_cast<std::size_t>(a)] = true;
     }
   return best;
+}
+
+/// Which of two slides moves more, -1 the left one or 1 the right one, where soil that moves at least `least` slides
+/// down to both sides; 0 where there are no two. Soil pressed apart, as below a footing, rises on its way to a side.
+int side_of_slide(const CellGrid& moved, const CellGrid& right, const CellGrid& up, double least) {
+  constexpr double kNoSlide = 0.2, kAlike = 0.02;  // of the larger one
+  double way[2] = {0, 0}, rise[2] = {0, 0};        // to the left, to the right
+  for (std::size_t k = 0; k < moved.values().size(); ++k) {
+    if (!(moved.values()[k] >= least)) continue;
+    const double u = right.values()[k];
+    way[u > 0] += std::fabs(u), rise[u > 0] += std::fabs(u) * up.values()[k];
+  }
+  if (std::min(way[0], way[1]) < kNoSlide * std::max(way[0], way[1]) || rise[0] >= 0 || rise[1] >= 0) return 0;
+  return way[1] > (1 + kAlike) * way[0] ? 1 : -1;
 }
 
 /// Polylines of the level set value = level by marching squares through the cell centres; only squares wholly of soil.
@@ -241,17 +265,20 @@ Vec2 nearest_on(const Polygon& exterior, const Vec2& x) {
   return best;
 }
 
-/// Lengthens the line at both ends to the outline, with as little turn towards it as brings it there within `most`.
+/// Lengthens the line at both ends to the outline, with as little turn towards it as brings it there within `most` and
+/// within 2.5 times the shortest way: soil comes out of level ground at 45 degrees less half the friction angle.
 void reach_surface(std::vector<Vec2>& line, const Polygon& exterior, double most) {
+  constexpr double kSlant = 2.5;
   const auto extend = [&](const Vec2& end, const Vec2& direction) {
     const Vec2 nearest = nearest_on(exterior, end), towards = nearest - end;
     const double turn = std::atan2(cross(direction, towards), direction.dot(towards));
+    const double within = std::min(most, kSlant * towards.norm());
     constexpr int kParts = 36;
     for (int k = 0; k < kParts; ++k) {
       const double a = turn * k / kParts;
       const Vec2 ray(std::cos(a) * direction.x() - std::sin(a) * direction.y(),
                      std::sin(a) * direction.x() + std::cos(a) * direction.y());
-      if (const double way = first_hit(exterior, end, ray); way <= most) return Vec2(end + way * ray);
+      if (const double way = first_hit(exterior, end, ray); way <= within) return Vec2(end + way * ray);
     }
     return nearest;
   };
@@ -294,7 +321,7 @@ SlipSurface slip_surface(const Simulation& simulation, const Instant& before, co
   SlipSurface out;
   const Section& section = simulation.section();
   CellGrid moved(section, motion(before, after));
-  const CellGrid rate(section, shearing(before, after));
+  CellGrid rate(section, shearing(before, after));
   const double fastest = quantile(moved, 0.995);
   if (!(fastest > 0)) return out;
   // the mass moves like its own median, not like its fastest corner
@@ -303,6 +330,10 @@ SlipSurface slip_surface(const Simulation& simulation, const Instant& before, co
     if (v >= 0.3 * fastest) fast.push_back(v);
   std::nth_element(fast.begin(), fast.begin() + static_cast<std::ptrdiff_t>(fast.size() / 2), fast.end());
   const double level = 0.5 * fast[fast.size() / 2];
+  const CellGrid right(section, moved_along(0, before, after)), up(section, moved_along(1, before, after));
+  out.side = side_of_slide(moved, right, up, level);
+  for (std::size_t k = 0; k < moved.values().size(); ++k)
+    if (out.side * right.values()[k] < 0) moved.values()[k] = rate.values()[k] = 0;
   const std::vector<bool> mass = moving_mass(moved, level);
   std::vector<double> areas;
   for (const Seed& s : section.seeds)

@@ -22,10 +22,14 @@ bool band_connected(const Simulation& simulation, const Instant& before, const I
 struct SlipSurface {
   std::vector<Point> line;  ///< left to right, m
   double sliding_area = 0;  ///< of the moving mass, m2
+  /// Where the soil slides down to both sides at once, like a dam that fails on both faces, the one of the slides that
+  /// the line is of: -1 the left one, 1 the right one; 0 where there is one slide.
+  int side = 0;
 };
 /// The slip line of the motion between two instants: the edge of the moving mass inside the soil (|du| = half the
 /// motion of the mass), each point drawn to the plastic-rate weighted centre of the band along the edge's normal,
-/// smoothed.
+/// smoothed. Where the soil slides to both sides it is the line of the slide that moves more, of two alike the left
+/// one.
 SlipSurface slip_surface(const Simulation& simulation, const Instant& before, const Instant& after);
 
 }  // namespace vbgpd

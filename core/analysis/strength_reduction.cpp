@@ -289,6 +289,10 @@ class StrengthReductionJob final : public SliceJob {
                         "use a finer spacing";
     result_.reason += raised_cohesion(std::sqrt(levels.back().spacing_x * levels.back().spacing_y));
     result_.reason += cut_off_at_a_side();
+    if (side_of_slide_ != 0)
+      result_.reason +=
+          std::string("; the soil slides to both sides at once, and the slip surface is that of the slide to the ") +
+          (side_of_slide_ < 0 ? "left" : "right");
     if (evened_)
       result_.reason += "; '" + contrast_.stiffest + "' counted as " + number_text(option("stiffness_contrast")) +
                         " times as stiff as '" + contrast_.softest + "', not " + number_text(contrast_.ratio) +
@@ -352,6 +356,7 @@ class StrengthReductionJob final : public SliceJob {
     const SlipSurface slip = slip_surface(simulation, before, instant(simulation));
     result_.slip_surface = slip.line;
     result_.sliding_area = slip.sliding_area;
+    side_of_slide_ = slip.side;
     result_.max_displacement = simulation.get("max_displacement");
     simulation.halt();  // velocities of the relaxation are none of the soil
   }
@@ -392,9 +397,10 @@ class StrengthReductionJob final : public SliceJob {
   std::size_t most_ = 0;
   SectionFacts facts_;
   StiffnessContrast contrast_;
-  bool evened_ = false;  // stiffer soil counts as less stiff than it is
-  SceneDef scene_;       // with that
-  Estimate now_;         // of the grids so far
+  int side_of_slide_ = 0;  // on the finest grid; SlipSurface::side
+  bool evened_ = false;    // stiffer soil counts as less stiff than it is
+  SceneDef scene_;         // with that
+  Estimate now_;           // of the grids so far
   bool gave_up_ = false;
   std::string stop_;      // why no further grid was begun or ended
   std::string left_out_;  // why a coarse grid was passed over
