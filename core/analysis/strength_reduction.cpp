@@ -6,6 +6,7 @@
 #include "analysis/grid_search.h"
 #include "analysis/slice_job.h"
 #include "analysis/stiffness_contrast.h"
+#include "analysis/tension.h"
 #include "geometry/thickness.h"
 #include "scene/quantity.h"
 #include "simulation/build_model.h"
@@ -245,6 +246,15 @@ class StrengthReductionJob final : public SliceJob {
     return text;
   }
 
+  /// Soil that cracks where it hangs in tension leaves less to hold the slope.
+  std::string held_by_tension() const {
+    constexpr Real kDeep = 0.15;  // of the height; below, soil without tension is at most 2 % less stable
+    if (!(tension_depth_ > kDeep * facts_.height)) return {};
+    return "; the failing soil hangs in tension down to " + number_text(tension_depth_, 2) +
+           " m below the ground: should it crack there, the slope fails at a lower factor (soil that bears none has "
+           "tension_cutoff 0)";
+  }
+
   /// Soils whose cohesion was counted as the least that a grid of that spacing can have (least_cohesion).
   std::string raised_cohesion(double spacing) const {
     std::string text;
@@ -289,6 +299,7 @@ class StrengthReductionJob final : public SliceJob {
                         "use a finer spacing";
     result_.reason += raised_cohesion(std::sqrt(levels.back().spacing_x * levels.back().spacing_y));
     result_.reason += cut_off_at_a_side();
+    result_.reason += held_by_tension();
     if (side_of_slide_ != 0)
       result_.reason +=
           std::string("; the soil slides to both sides at once, and the slip surface is that of the slide to the ") +
@@ -357,6 +368,7 @@ class StrengthReductionJob final : public SliceJob {
     result_.slip_surface = slip.line;
     result_.sliding_area = slip.sliding_area;
     side_of_slide_ = slip.side;
+    tension_depth_ = tension_depth(simulation);
     result_.max_displacement = simulation.get("max_displacement");
     simulation.halt();  // velocities of the relaxation are none of the soil
   }
@@ -397,10 +409,11 @@ class StrengthReductionJob final : public SliceJob {
   std::size_t most_ = 0;
   SectionFacts facts_;
   StiffnessContrast contrast_;
-  int side_of_slide_ = 0;  // on the finest grid; SlipSurface::side
-  bool evened_ = false;    // stiffer soil counts as less stiff than it is
-  SceneDef scene_;         // with that
-  Estimate now_;           // of the grids so far
+  Real tension_depth_ = 0;  // on the finest grid, m
+  int side_of_slide_ = 0;   // on the finest grid; SlipSurface::side
+  bool evened_ = false;     // stiffer soil counts as less stiff than it is
+  SceneDef scene_;          // with that
+  Estimate now_;            // of the grids so far
   bool gave_up_ = false;
   std::string stop_;      // why no further grid was begun or ended
   std::string left_out_;  // why a coarse grid was passed over
