@@ -240,16 +240,21 @@ void draw_to_band(std::vector<Vec2>& line, const CellGrid& rate, double reach) {
   }
 }
 
-/// Where a ray from `from` first meets the exterior, as a multiple of `direction`; infinity when it does not.
-double first_hit(const Polygon& exterior, const Vec2& from, const Vec2& direction) {
-  double nearest = INFINITY;
+/// Where a ray first meets the exterior.
+struct Hit {
+  double way = INFINITY;  ///< as a multiple of the direction; infinity when it does not meet it
+  bool level = false;     ///< on a piece of it that rises or falls by less than one in ten
+};
+Hit first_hit(const Polygon& exterior, const Vec2& from, const Vec2& direction) {
+  Hit nearest;
   for (std::size_t k = 0; k < exterior.size(); ++k) {
     const Point &p = exterior[k], &q = exterior[(k + 1) % exterior.size()];
     const Vec2 a(p.x, p.y), e = Vec2(q.x, q.y) - a, d = a - from;
     const double det = direction.y() * e.x() - direction.x() * e.y();
     if (det == 0) continue;
     const double t = (d.y() * e.x() - d.x() * e.y()) / det, s = (direction.x() * d.y() - direction.y() * d.x()) / det;
-    if (t >= 0 && s >= -1e-9 && s <= 1 + 1e-9) nearest = std::min(nearest, t);
+    if (t >= 0 && t < nearest.way && s >= -1e-9 && s <= 1 + 1e-9)
+      nearest = {t, std::fabs(e.y()) < 0.1 * std::fabs(e.x())};
   }
   return nearest;
 }
@@ -265,26 +270,28 @@ Vec2 nearest_on(const Polygon& exterior, const Vec2& x) {
   return best;
 }
 
-/// Lengthens the line at both ends to the outline, with as little turn towards it as brings it there within `most` and
-/// within 2.5 times the shortest way: soil comes out of level ground at 45 degrees less half the friction angle.
+/// Lengthens the line at both ends to the outline, with as little turn towards it as brings it there within `most`, and
+/// at the lower end to level ground within 2.5 times the shortest way: soil comes out of it at 45 degrees less half the
+/// friction angle.
 void reach_surface(std::vector<Vec2>& line, const Polygon& exterior, double most) {
   constexpr double kSlant = 2.5;
-  const auto extend = [&](const Vec2& end, const Vec2& direction) {
+  const auto extend = [&](const Vec2& end, const Vec2& other, const Vec2& direction) {
     const Vec2 nearest = nearest_on(exterior, end), towards = nearest - end;
+    const double most_to_level = end.y() < other.y() ? kSlant * towards.norm() : most;
     const double turn = std::atan2(cross(direction, towards), direction.dot(towards));
-    const double within = std::min(most, kSlant * towards.norm());
     constexpr int kParts = 36;
     for (int k = 0; k < kParts; ++k) {
       const double a = turn * k / kParts;
       const Vec2 ray(std::cos(a) * direction.x() - std::sin(a) * direction.y(),
                      std::sin(a) * direction.x() + std::cos(a) * direction.y());
-      if (const double way = first_hit(exterior, end, ray); way <= within) return Vec2(end + way * ray);
+      const Hit hit = first_hit(exterior, end, ray);
+      if (hit.way <= most && !(hit.level && hit.way > most_to_level)) return Vec2(end + hit.way * ray);
     }
     return nearest;
   };
   const std::size_t n = line.size(), span = std::min<std::size_t>(3, n - 1);
-  const Vec2 head = extend(line.front(), (line.front() - line[span]).normalized());
-  const Vec2 tail = extend(line.back(), (line.back() - line[n - 1 - span]).normalized());
+  const Vec2 head = extend(line.front(), line.back(), (line.front() - line[span]).normalized());
+  const Vec2 tail = extend(line.back(), line.front(), (line.back() - line[n - 1 - span]).normalized());
   line.insert(line.begin(), head);
   line.push_back(tail);
 }

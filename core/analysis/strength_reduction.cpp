@@ -251,8 +251,7 @@ class StrengthReductionJob final : public SliceJob {
     constexpr Real kDeep = 0.15;  // of the height; below, soil without tension is at most 2 % less stable
     if (!(tension_depth_ > kDeep * facts_.height)) return {};
     return "; the failing soil hangs in tension down to " + number_text(tension_depth_, 2) +
-           " m below the ground: should it crack there, the slope fails at a lower factor (soil that bears none has "
-           "tension_cutoff 0)";
+           " m below the ground: should it crack, the slope fails at a lower factor (tension_cutoff 0)";
   }
 
   /// Soils whose cohesion was counted as the least that a grid of that spacing can have (least_cohesion).

@@ -24,7 +24,7 @@ static void a_diverged_equilibrium_leaves_the_last_good_state(vbgpd_context* con
 }
 
 static void grids_too_coarse_for_the_section_are_left_out(vbgpd_context* context) {
-  char reason[512];
+  char reason[2048];
   vbgpd_model* model = make_model(context, 2.0);
   vbgpd_job* job = NULL;
   CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
