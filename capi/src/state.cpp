@@ -2,6 +2,7 @@
 #include "arrays.h"
 #include "exchange/checkpoint.h"
 #include "guard.h"
+#include "scene/difference.h"
 
 namespace vbgpd::capi {
 namespace {
@@ -12,6 +13,18 @@ CompileOptions options_of(const ContextObject& context, const Checkpoint& checkp
   options.lattice_multiple = checkpoint.lattice_multiple;
   options.coarsening = checkpoint.coarsening;
   return options;
+}
+
+/// Counts alone do not tell sections apart: one twice as large has as many particles.
+void require_same_profile(const Simulation& simulation, const Checkpoint& checkpoint) {
+  std::string difference = first_difference(simulation.scene(), checkpoint.scene);
+  const CompileOptions& grid = simulation.options();
+  if (difference.empty() &&
+      (grid.spacing_factor != checkpoint.spacing_factor || grid.lattice_multiple != checkpoint.lattice_multiple ||
+       grid.coarsening != checkpoint.coarsening))
+    difference = "its grid is another one";
+  if (!difference.empty())
+    throw ArgumentError(2, Status::kFormat, "The checkpoint is of another profile: " + difference + ".");
 }
 
 }  // namespace
@@ -96,7 +109,9 @@ vbgpd_status vbgpd_model_create_from_checkpoint(vbgpd_context* context, const vo
 vbgpd_status vbgpd_model_restore_checkpoint(vbgpd_model* model, const void* bytes, int64_t len) {
   return with(model, [&](ModelObject& object) {
     Simulation& simulation = object.engine->to_change();
-    simulation.restore_image(checkpoint_from_bytes(bytes_in(bytes, len, 2)).state);
+    const Checkpoint checkpoint = checkpoint_from_bytes(bytes_in(bytes, len, 2));
+    require_same_profile(simulation, checkpoint);
+    simulation.restore_image(checkpoint.state);
     object.engine->events.forget(simulation);
     return Status::kOk;
   });

@@ -191,6 +191,88 @@ static void fresh_models_come_back(vbgpd_context* context) {
   }
 }
 
+/* Makes the shared slope another one with as many particles and bonds. */
+typedef void (*another_fn)(vbgpd_profile* profile);
+static void twice_as_large(vbgpd_profile* profile) {
+  double outline[12];
+  int i;
+  for (i = 0; i < 12; ++i) outline[i] = 2 * slope_exterior[i];
+  CHECK_OK(vbgpd_profile_set_exterior(profile, outline, 16, 6));
+  set_number(profile, VBGPD_OBJECT_PROFILE, 0, "spacing", 5);
+}
+static void elsewhere(vbgpd_profile* profile) {
+  double outline[12];
+  int i;
+  for (i = 0; i < 12; ++i) outline[i] = slope_exterior[i] + (i % 2 == 0 ? 1000 : 50);
+  CHECK_OK(vbgpd_profile_set_exterior(profile, outline, 16, 6));
+}
+static void stiffer(vbgpd_profile* profile) { set_number(profile, VBGPD_OBJECT_MATERIAL, 0, "young_modulus", 2e8); }
+static void softer_law(vbgpd_profile* profile) {
+  CHECK_OK(
+      vbgpd_profile_set_text(profile, VBGPD_OBJECT_MATERIAL, 0, "law", VBGPD_STRLEN, "drucker_prager", VBGPD_STRLEN));
+}
+static void wet(vbgpd_profile* profile) {
+  static const double table[4] = {0, 8, 40, 3};
+  CHECK_OK(vbgpd_profile_set_water_table(profile, table, 16, 2));
+}
+static void held_otherwise(vbgpd_profile* profile) {
+  CHECK_OK(vbgpd_profile_add_boundary(profile, "base", 4, NULL, 16, 0, VBGPD_BOUNDARY_FIXED, NULL));
+}
+static void lighter(vbgpd_profile* profile) { set_number(profile, VBGPD_OBJECT_PROFILE, 0, "gravity", 5); }
+static void renamed_and_shaken(vbgpd_profile* profile) {
+  CHECK_OK(vbgpd_profile_set_text(profile, VBGPD_OBJECT_MATERIAL, 0, "name", 4, "clay", 4));
+  set_number(profile, VBGPD_OBJECT_PROFILE, 0, "kh", 0.2);
+  set_number(profile, VBGPD_OBJECT_PROFILE, 0, "srf_max", 3);
+}
+
+static vbgpd_model* another_model(vbgpd_context* context, another_fn make_another) {
+  vbgpd_profile* profile = make_profile(context, 2.5);
+  vbgpd_model* model = NULL;
+  make_another(profile);
+  CHECK_OK(vbgpd_model_create(context, profile, &model));
+  CHECK_OK(vbgpd_profile_destroy(profile));
+  CHECK_OK(vbgpd_model_step(model, 20, NULL));
+  return model;
+}
+
+static void those_of_other_profiles_are_refused_with_the_difference(vbgpd_context* context) {
+  static const struct {
+    another_fn make;
+    const char* told;
+  } others[] = {{twice_as_large, "exterior"},
+                {elsewhere, "exterior"},
+                {stiffer, "material 0 has young_modulus 200000000 there, 100000000 here"},
+                {softer_law, "law of material 0"},
+                {wet, "water table"},
+                {held_otherwise, "1 boundaries"},
+                {lighter, "gravity 5 there"}};
+  vbgpd_model* model = make_model(context, 2.5);
+  const uint64_t hash = hash_of(model);
+  vbgpd_model* same;
+  unsigned char* bytes;
+  int64_t size;
+  size_t k;
+  char text[400];
+  for (k = 0; k < sizeof others / sizeof *others; ++k) {
+    vbgpd_model* other = another_model(context, others[k].make);
+    vbgpd_error_info info = {sizeof info, 0, 0, 0, 0, 0, 0, 0, 0};
+    bytes = bytes_of(other, &size);
+    CHECK_STATUS(VBGPD_E_FORMAT, vbgpd_model_restore_checkpoint(model, bytes, size));
+    CHECK_OK(vbgpd_model_error(model, &info, text, sizeof text, NULL));
+    CHECK_CONTAINS(text, others[k].told);
+    CHECK(info.argument == 2 && hash_of(model) == hash);
+    free(bytes);
+    CHECK_OK(vbgpd_model_destroy(other));
+  }
+  same = another_model(context, renamed_and_shaken);
+  bytes = bytes_of(same, &size);
+  CHECK_OK(vbgpd_model_restore_checkpoint(model, bytes, size));
+  CHECK(hash_of(model) == hash_of(same) && model_number(model, "kh") == 0.2);
+  free(bytes);
+  CHECK_OK(vbgpd_model_destroy(same));
+  CHECK_OK(vbgpd_model_destroy(model));
+}
+
 static void goes_on_in_another_process(const char* program, vbgpd_context* context, vbgpd_model* model) {
   int64_t size = 0;
   unsigned char* bytes = bytes_of(model, &size);
@@ -234,6 +316,7 @@ int main(int argc, char** argv) {
   goes_on_in_another_process(argv[0], context, sliding);
   profiles_come_back_from_their_bytes(context);
   fresh_models_come_back(context);
+  those_of_other_profiles_are_refused_with_the_difference(context);
   CHECK_OK(vbgpd_model_destroy(at_rest));
   CHECK_OK(vbgpd_model_destroy(sliding));
   CHECK_OK(vbgpd_context_destroy(context));

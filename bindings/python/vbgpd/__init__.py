@@ -313,7 +313,7 @@ class Model(_Object):
         return self
 
     def restore_checkpoint(self, data):
-        """Takes a model of the same profile back to a checkpoint."""
+        """Takes a model of the same profile back to a checkpoint; one of another profile raises Error (E_FORMAT)."""
         self._call("restore_checkpoint", bytes(data), len(data))
 
     def snapshot(self):

@@ -322,7 +322,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_checkpoint(const vbgpd_model*, voi
  * verified, checked against all ranges and copied before anything is built: VBGPD_E_FORMAT; a newer format, or a
  * run-out in an older one, gives VBGPD_E_VERSION. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_from_checkpoint(vbgpd_context*, const void* bytes, int64_t len, vbgpd_model** out);
-/* Takes a model of the same profile back to a checkpoint; VBGPD_E_FORMAT when it is of another section. */
+/* Takes a model of the same profile back to a checkpoint. VBGPD_E_FORMAT, the first difference in the text, when it is of another
+ * one: exterior, layers, materials (laws and every number), boundaries, places of loads, water, gravity, bond, kernel, smoothing,
+ * jitter and grid are compared. Names are not, nor the search range, nor what can be set on a model: the checkpoint brings that. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_restore_checkpoint(vbgpd_model*, const void* bytes, int64_t len);
 /* What can be seen of the model, for other programs: a flatbuffer (core/exchange/snapshot.fbs, file identifier "VBGS") with positions,
  * displacements, velocities, stresses ... by particle id; buf as _checkpoint. VBGPD_E_UNSUPPORTED in a build without flatbuffers. */
