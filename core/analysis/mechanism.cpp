@@ -224,17 +224,25 @@ double sampled(const CellGrid& grid, const Vec2& x) {
   return sum;
 }
 
-/// Each inner point to the centre of the shear band across the line.
+/// Each point to the centre of the shear band across the line, as far as there is soil on both of its sides: looked at
+/// on one side only, the band would seem to lie there.
 void draw_to_band(std::vector<Vec2>& line, const CellGrid& rate, double reach) {
   const std::vector<Vec2> old = line;
+  const auto in_soil = [&](const Vec2& x) {
+    const Vec2 d = (x - rate.center(0, 0)).cwiseQuotient(rate.lattice().spacing);
+    return rate.soil(static_cast<Index>(std::lround(d.x())), static_cast<Index>(std::lround(d.y())));
+  };
   for (std::size_t k = 0; k < line.size(); ++k) {
     const Vec2 along = (old[std::min(k + 1, old.size() - 1)] - old[k > 0 ? k - 1 : 0]).normalized();
     const Vec2 across(-along.y(), along.x());
-    double weight = 0, moment = 0;
+    double weight = sampled(rate, old[k]), moment = 0;
     constexpr int kSamples = 12;
-    for (int n = -kSamples; n <= kSamples; ++n) {
-      const double t = reach * n / kSamples, r = sampled(rate, old[k] + t * across);
-      weight += r, moment += r * t;
+    for (int n = 1; n <= kSamples; ++n) {
+      const double t = reach * n / kSamples;
+      const Vec2 left = old[k] + t * across, right = old[k] - t * across;
+      if (!in_soil(left) || !in_soil(right)) break;
+      const double l = sampled(rate, left), r = sampled(rate, right);
+      weight += l + r, moment += (l - r) * t;
     }
     if (weight > 0) line[k] += moment / weight * across;
   }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "analysis/runout_shape.h"
+#include "analysis/section_ends.h"
 #include "analysis/slice_job.h"
 #include "scene/wording.h"
 
@@ -165,6 +166,7 @@ class RunoutJob final : public SliceJob {
     if (!std::isnan(shape.stopped_at))
       result_.reason += "; the front has come up to the end of the section at x = " + number_text(shape.stopped_at) +
                         " m: a longer section would let it go farther";
+    tell_of_ends(shape.stopped_at);
     if (gravity_ratio_ >= kEquilibrium)
       result_.reason += "; the gravity state it set out from was not at rest (unbalanced force ratio " +
                         number_text(gravity_ratio_, 2) + ")";
@@ -172,6 +174,22 @@ class RunoutJob final : public SliceJob {
     constexpr Real kBalanced = 0.01;
     if (result_.energy_residual > kBalanced)
       result_.reason += "; the energy ledger misses " + number_text(100 * result_.energy_residual, 2) + " %";
+  }
+
+  /// Soil that moves where the section ends would take more soil along if there were more.
+  void tell_of_ends(Real told) {
+    constexpr Real kNear = 1.5, kUpright = 3, kShare = 0.1;  // spacings, twice; of the largest displacement
+    std::vector<double> before, moved;
+    simulation_.read(find_field("reference_position"), before), simulation_.read(find_field("displacement"), moved);
+    const Real near = kNear * simulation_.get("spacing_x");
+    for (const Real end : upright_ends(simulation_.section().exterior, kUpright * simulation_.get("spacing_y"))) {
+      Real most = 0;
+      for (std::size_t i = 0; i + 1 < before.size(); i += 2)
+        if (std::fabs(before[i] - end) < near) most = std::max(most, std::hypot(moved[i], moved[i + 1]));
+      if (end != told && most > std::max(near / 3, kShare * result_.max_displacement))
+        result_.reason += "; the soil at the end of the section at x = " + number_text(end) + " m moved by " +
+                          number_text(most, 2) + " m: where the ground goes on there, use a longer section";
+    }
   }
 
   /// Pore pressures are lost where soil comes apart, but nothing drains: high ones may still push more than water

@@ -4,6 +4,7 @@
 
 #include "analysis/convergence.h"
 #include "analysis/grid_search.h"
+#include "analysis/section_ends.h"
 #include "analysis/slice_job.h"
 #include "analysis/stiffness_contrast.h"
 #include "analysis/tension.h"
@@ -57,7 +58,8 @@ class StrengthReductionJob final : public SliceJob {
         level.factor_of_safety = (search.stable() + search.failed()) / 2;
         result_.displacement_level = search.displacement_level();
         for (Slices s = mechanism(simulation, search.response_steps() / 2); s.next();) co_yield Pause{};
-        if (has_friction()) level.sliding_thickness = result_.sliding_area / length_of(result_.slip_surface);
+        if (has_friction() && !result_.slip_surface.empty())
+          level.sliding_thickness = result_.sliding_area / length_of(result_.slip_surface);
         level.sliding_area = result_.sliding_area, level.energy_residual = result_.energy_residual;
         if (is_own(n) && other) simulation_.take_stresses(*other);
       }
@@ -229,19 +231,15 @@ class StrengthReductionJob final : public SliceJob {
     constexpr Real kNear = 2, kUpright = 3;  // spacings: from a side; what a side is high that could cut it off
     const Polygon& exterior = simulation_.section().exterior;
     const Level& finest = result_.levels.back();
-    const auto [left, right] =
-        std::minmax_element(exterior.begin(), exterior.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+    const std::vector<Point>& line = result_.slip_surface;
     std::string text;
-    for (const Real side : {left->x, right->x}) {
-      Real low = kInfinity, high = -kInfinity;
-      for (const Point& p : exterior)
-        if (std::fabs(p.x - side) <= 1e-9 * (right->x - left->x)) low = std::min(low, p.y), high = std::max(high, p.y);
-      if (!(high - low > kUpright * finest.spacing_y)) continue;
+    if (line.empty()) return text;
+    for (const Real side : upright_ends(exterior, kUpright * finest.spacing_y)) {
       const auto ends_here = [&](const Point& p) { return std::fabs(p.x - side) < kNear * finest.spacing_x; };
-      const std::vector<Point>& line = result_.slip_surface;
-      if (!line.empty() && (ends_here(line.front()) || ends_here(line.back())))
-        text += "; the slip surface comes out at the " + std::string(side == left->x ? "left" : "right") +
-                " end of the section, x = " + number_text(side) + " m: a longer section may fail at a lower factor";
+      if (!ends_here(line.front()) && !ends_here(line.back())) continue;
+      const bool left = std::all_of(exterior.begin(), exterior.end(), [&](const Point& p) { return p.x >= side; });
+      text += "; the slip surface comes out at the " + std::string(left ? "left" : "right") +
+              " end of the section, x = " + number_text(side) + " m: a longer section may fail at a lower factor";
     }
     return text;
   }
@@ -250,8 +248,8 @@ class StrengthReductionJob final : public SliceJob {
   std::string held_by_tension() const {
     constexpr Real kDeep = 0.15;  // of the height; below, soil without tension is at most 2 % less stable
     if (!(tension_depth_ > kDeep * facts_.height)) return {};
-    return "; the failing soil hangs in tension down to " + number_text(tension_depth_, 2) +
-           " m below the ground: should it crack, the slope fails at a lower factor (tension_cutoff 0)";
+    return "; the failing soil hangs in tension (effective stress) down to " + number_text(tension_depth_, 2) +
+           " m below the ground: should it crack, the slope fails at a lower factor";
   }
 
   /// Soils whose cohesion was counted as the least that a grid of that spacing can have (least_cohesion).

@@ -17,7 +17,7 @@ std::string material_text(const vbgpd_profile* profile, std::int64_t material) {
   if (law == "undrained") {
     line += ", su " + kilo("cohesion") + " kPa";
     if (value("cohesion_gradient") != 0)
-      line += " + " + kilo("cohesion_gradient") + " kPa/m below " + plain_number(value("cohesion_datum"), 5) + " m";
+      line += " + " + kilo("cohesion_gradient") + " kPa/m below y = " + plain_number(value("cohesion_datum"), 5) + " m";
     return line;
   }
   line += ", c " + kilo("cohesion") + " kPa, φ " + plain_number(value("friction_angle"), 4) + "°";

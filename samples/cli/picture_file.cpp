@@ -143,11 +143,17 @@ picture::Sheet section_sheet(const Scene& scene) {
 picture::Sheet picture_sheet(const Scene& scene, const vbgpd_model* model, const FosResult& result) {
   picture::Sheet sheet = section_sheet(scene);
   sheet.result = factor_of_safety_label(result);
-  if (result.status != "OK") sheet.remark = result.status + ": " + result.reason;
+  if (result.status == "OK") {  // the first clause says how the value came about, the others what to beware of
+    const std::size_t end = result.reason.find("; ");
+    sheet.note = result.reason.substr(0, end);
+    if (end != std::string::npos) sheet.remark = result.reason.substr(end + 2);
+  } else {
+    sheet.remark = result.status + ": " + result.reason;
+  }
   sheet.cells = cells(model);
   sheet.spacing_x = number(model, "spacing_x");
   sheet.spacing_y = number(model, "spacing_y");
-  sheet.slip = polyline(result.slip_surface);
+  if (std::isfinite(result.factor_of_safety)) sheet.slip = polyline(result.slip_surface);
   sheet.footer = footer(model, result);
   return sheet;
 }

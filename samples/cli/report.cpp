@@ -46,15 +46,18 @@ std::string level_text(std::size_t i, const vbgpd_level& level) {
                 counted(level.trials, "trial").c_str(), duration(level.wall_seconds).c_str(), estimate.c_str());
 }
 
-/// The mechanism goes down: it enters at the higher end and leaves at the lower one.
+/// The mechanism goes down: it enters at the higher end and leaves at the lower one. Ends of one height are both ways
+/// out, as below a footing.
 std::string slip_text(const FosResult& r) {
   if (r.slip_surface.empty()) return "  slip surface   not found\n";
   Point entry = r.slip_surface.front(), exit = r.slip_surface.back();
   if (entry.y < exit.y) std::swap(entry, exit);
   const Point deepest =
       *std::min_element(r.slip_surface.begin(), r.slip_surface.end(), [](Point a, Point b) { return a.y < b.y; });
-  std::string text =
-      "  slip surface   enters at " + place(entry) + ", leaves at " + place(exit) + ", lowest at " + place(deepest);
+  const bool level = entry.y - exit.y < 0.02 * (entry.y - deepest.y);
+  std::string text = "  slip surface   " +
+                     (level ? "comes out at " + place(entry) + " and " : "enters at " + place(entry) + ", leaves at ") +
+                     place(exit) + ", lowest at " + place(deepest);
   if (std::isfinite(r.sliding_area)) text += ", sliding area " + plain_number(r.sliding_area, 4) + " m2";
   return text + "\n";
 }

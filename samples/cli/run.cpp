@@ -60,6 +60,7 @@ class Run {
     result_.particles = static_cast<std::int64_t>(number(model, "particles"));
     result_.spacing = std::sqrt(number(model, "spacing_x") * number(model, "spacing_y"));
     result_.viscosity = number(model, "viscosity");
+    result_.kh = number(model, "kh"), result_.kv = number(model, "kv");
   }
 
   vbgpd_status go() {

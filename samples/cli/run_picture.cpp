@@ -36,10 +36,16 @@ picture::Sheet run_sheet(const Scene& scene, const vbgpd_model* model, const Run
   constexpr double kPi = 3.14159265358979323846;
   picture::Sheet sheet = section_sheet(scene);
   const Sample last = result.series.empty() ? Sample{} : result.series.back();
-  sheet.result = format("t = %s s, run-out %s m", plain_number(last.time < 1e-6 ? 0 : last.time, 3).c_str(),
-                        plain_number(last.runout_distance, 3).c_str());
-  sheet.water.clear();
-  sheet.loads.clear();  // they moved with the ground; arrows would stand where it was
+  const double time = last.time < 1e-6 ? 0 : last.time;
+  sheet.result =
+      format("t = %s s, run-out %s m", plain_number(time, 3).c_str(), plain_number(last.runout_distance, 3).c_str());
+  std::string unseen;
+  if (time > 0) {  // they move with the ground: arrows and a line would stand where it was
+    if (!sheet.loads.empty()) unseen += ", loads";
+    if (!sheet.water.empty()) unseen += ", water pressures";
+    sheet.loads.clear(), sheet.water.clear();
+  }
+  sheet.full_strain = 1;  // the same in every frame of an animation
   const std::vector<double> place = field(model, "position"), strain = field(model, "plastic_strain");
   const std::vector<double> volume = field(model, "volume"), material = field(model, "material");
   const Range across = range_of_most(place, 0, sheet.exterior), up = range_of_most(place, 1, sheet.exterior);
@@ -56,7 +62,9 @@ picture::Sheet run_sheet(const Scene& scene, const vbgpd_model* model, const Run
   sheet.footer = "Method: " + result.scheme + "; flow rule " + result.flow_rule + "; strength reduction factor " +
                  plain_number(result.factor, 4) + "; viscosity " + plain_number(result.viscosity, 3) +
                  " m2/s. Spacing " + plain_number(result.spacing, 3) + " m, " + counted(result.particles, "particle") +
-                 ". The line is the section before. vbgpd " + vbgpd_version_string();
+                 ". The line is the section before" +
+                 (unseen.empty() ? "" : "; not drawn, but acting on the soil:" + unseen.substr(1)) + ". vbgpd " +
+                 vbgpd_version_string();
   return sheet;
 }
 

@@ -34,6 +34,8 @@ std::string to_json(const RunResult& r) {
                      {"peak_kinetic_energy", r.peak_kinetic_energy},
                      {"max_displacement", r.max_displacement},
                      {"viscosity", r.viscosity},
+                     {"kh", r.kh},
+                     {"kv", r.kv},
                      {"scheme", r.scheme},
                      {"flow_rule", r.flow_rule},
                      {"spacing", r.spacing},
@@ -52,13 +54,16 @@ std::string to_json(const RunResult& r) {
 std::string to_text(const RunResult& r, const std::string& scene_name) {
   const Sample last = r.series.empty() ? Sample{} : r.series.back();
   std::string text = scene_name.empty() ? "" : scene_name + "\n";
-  text += format("run-out %s m, moved area %s m2, after %s s\n", plain_number(last.runout_distance, 4).c_str(),
-                 plain_number(last.moved_area, 4).c_str(), plain_number(last.time, 4).c_str());
+  text += format("run-out %s m, moved area %s m2, largest displacement %s m, after %s s\n",
+                 plain_number(last.runout_distance, 4).c_str(), plain_number(last.moved_area, 4).c_str(),
+                 plain_number(r.max_displacement, 4).c_str(), plain_number(last.time, 4).c_str());
   text += "  status         " + r.status + ": " + r.reason + "\n";
-  text += format("  displacement   crest settled %s m, toe moved %s m, largest %s m\n",
-                 plain_number(last.crest_settlement, 4).c_str(), plain_number(last.toe_displacement, 4).c_str(),
-                 plain_number(r.max_displacement, 4).c_str());
-  text += format("  energy         peak kinetic %s J, residual %.2g of the largest entry\n",
+  text += format("  displacement   crest settled %s m, toe moved %s m\n",
+                 plain_number(last.crest_settlement, 4).c_str(), plain_number(last.toe_displacement, 4).c_str());
+  if (r.kh != 0 || r.kv != 0)
+    text += format("  seismic        kh %s, kv %s act for as long as the soil moves, as no earthquake does\n",
+                   plain_number(r.kh, 4).c_str(), plain_number(r.kv, 4).c_str());
+  text += format("  energy         peak kinetic %s J/m, books closed to %.2g of their largest entry\n",
                  plain_number(r.peak_kinetic_energy, 4).c_str(), last.energy_residual);
   text += format("  scheme         %s; viscosity alpha c h = %s m2/s, F = %s\n", r.scheme.c_str(),
                  plain_number(r.viscosity, 4).c_str(), plain_number(r.factor, 4).c_str());

@@ -16,7 +16,7 @@ struct Sample {
 
 struct RunResult {
   std::string status, reason, scheme, flow_rule, hash;
-  double factor = 1, viscosity = 0, peak_kinetic_energy = 0, max_displacement = 0, wall_seconds = 0;
+  double factor = 1, viscosity = 0, kh = 0, kv = 0, peak_kinetic_energy = 0, max_displacement = 0, wall_seconds = 0;
   double spacing = 0;
   std::int64_t particles = 0, steps = 0;
   std::vector<Sample> series;  ///< the last one is the end

@@ -65,7 +65,9 @@ void paint(cairo_t* cr, const Sheet& sheet, const Layout& layout) {
   cairo_paint(cr);
   cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
   const bool moving = !sheet.grains.empty();
-  const double largest = moving ? largest_shown(sheet.grains) : largest_shown(sheet.cells);
+  const double largest = sheet.full_strain > 0 ? sheet.full_strain
+                         : moving              ? largest_shown(sheet.grains)
+                                               : largest_shown(sheet.cells);
   draw_axes(cr, layout);
   draw_standing_water(cr, sheet, layout);
   if (moving) {

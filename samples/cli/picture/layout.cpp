@@ -91,10 +91,18 @@ double legend_height(const Sheet& sheet, bool notes_below) {
   return slip + water + (kLegendRow + (notes_below ? kLegendNoteRow : 0)) * static_cast<double>(sheet.materials.size());
 }
 
+/// Whether a soil's parameters are too long to stand behind its name.
+bool notes_need_a_row(cairo_t* cr, const Sheet& sheet, double width) {
+  return std::any_of(sheet.materials.begin(), sheet.materials.end(), [&](const Material& m) {
+    return kLegendSwatch + text_width(cr, m.name, kLegendStyle) + 15 + text_width(cr, m.parameters, kLegendNoteStyle) >
+           width;
+  });
+}
+
 /// Legends under the plot, or beside it when it is narrow. Gives the y below everything.
-double place_legends(Layout& l, const Sheet& sheet, bool beside) {
-  l.notes_below = beside;
-  const double soils_height = legend_height(sheet, beside);
+double place_legends(Layout& l, cairo_t* cr, const Sheet& sheet, bool beside) {
+  l.notes_below = beside || notes_need_a_row(cr, sheet, l.page_width - 2 * kMargin - kColorBarWidth - 2 * kGap);
+  const double soils_height = legend_height(sheet, l.notes_below);
   const double below_axis = l.plot.y1 + kTickLabelHeight + kAxisLabelHeight + kGap;
   const double right = l.page_width - kMargin;
   if (beside) {
@@ -151,10 +159,11 @@ Layout arrange(cairo_t* cr, const Sheet& sheet) {
   double y = stack(l.texts, cr, sheet.title, kTitleStyle, text_room, 2, kMargin - 6);
   y = stack(l.texts, cr, sheet.subtitle, kSubtitleStyle, text_room, 2, y + 1);
   y = stack(l.texts, cr, sheet.result, kResultStyle, text_room, 2, y + 5);
-  y = stack(l.texts, cr, sheet.remark, kRemarkStyle, text_room, 3, y);
+  y = stack(l.texts, cr, sheet.note, kSubtitleStyle, text_room, 3, y);
+  y = stack(l.texts, cr, sheet.remark, kRemarkStyle, text_room, 10, y);
   const double left = kMargin + axis_room + (beside ? 0 : (l.page_width - needed) / 2);
   place_plot(l, sheet, left, y + 4);
-  y = place_legends(l, sheet, beside);
+  y = place_legends(l, cr, sheet, beside);
   y = stack(l.texts, cr, sheet.footer, kFooterStyle, text_room, 3, y);
   l.page_height = std::ceil(y + kMargin - 8);
   l.page_width = std::ceil(l.page_width);

@@ -52,6 +52,6 @@ Layout arrange(cairo_t* cr, const Sheet& sheet);
 double ground_elevation(const Polyline& exterior, double x);
 
 /// From one soil of the legend to the next.
-constexpr double kLegendRow = 15, kLegendNoteRow = 12;
+constexpr double kLegendRow = 15, kLegendNoteRow = 12, kLegendSwatch = 18;
 
 }  // namespace cli::picture

@@ -9,14 +9,13 @@ namespace cli::picture {
 
 namespace {
 
-constexpr double kSwatch = 18;
-
 /// A name and, where there is room, a note behind it or below. Gives the baseline of the next entry.
 double write_entry(cairo_t* cr, const Layout& layout, double baseline, const std::string& name,
                    const std::string& note) {
-  const double left = layout.soils.x0 + kSwatch + 7, right = layout.soils.x1;
+  const double left = layout.soils.x0 + kLegendSwatch + 7, right = layout.soils.x1;
   const std::string shown = fitted(cr, name, kLegendStyle, right - left);
   write(cr, {left, baseline}, shown, kLegendStyle);
+  if (note.empty()) return baseline + kLegendRow;
   const Point place = layout.notes_below ? Point{left, baseline + kLegendNoteRow}
                                          : Point{left + text_width(cr, shown, kLegendStyle) + 8, baseline};
   const double least = 40;  // less room than this holds nothing that can be read
@@ -30,7 +29,7 @@ void draw_soil_legend(cairo_t* cr, const Sheet& sheet, const Layout& layout) {
   const Box& box = layout.soils;
   double baseline = box.y0 + 10;
   for (std::size_t i = 0; i < sheet.materials.size(); ++i) {
-    cairo_rectangle(cr, box.x0, baseline - 8.5, kSwatch, 10);
+    cairo_rectangle(cr, box.x0, baseline - 8.5, kLegendSwatch, 10);
     fill_material(cr, static_cast<int>(i));
     set_color(cr, kInk);
     cairo_set_line_width(cr, 0.6);
@@ -38,13 +37,13 @@ void draw_soil_legend(cairo_t* cr, const Sheet& sheet, const Layout& layout) {
     baseline = write_entry(cr, layout, baseline, sheet.materials[i].name, sheet.materials[i].parameters);
   }
   if (!sheet.water.empty()) {
-    draw_water_line(cr, {{box.x0, baseline - 3.5}, {box.x0 + kSwatch, baseline - 3.5}}, 1.6);
+    draw_water_line(cr, {{box.x0, baseline - 3.5}, {box.x0 + kLegendSwatch, baseline - 3.5}}, 1.6);
     baseline = write_entry(cr, layout, baseline, "water table", "");
   }
   if (sheet.slip.empty()) return;
   set_color(cr, {0.05, 0.05, 0.08});
   cairo_set_line_width(cr, 2);
-  line(cr, {box.x0, baseline - 3.5}, {box.x0 + kSwatch, baseline - 3.5});
+  line(cr, {box.x0, baseline - 3.5}, {box.x0 + kLegendSwatch, baseline - 3.5});
   write_entry(cr, layout, baseline, "critical slip surface", "");
 }
 

@@ -48,7 +48,8 @@ struct Grain {
 
 struct Sheet {
   std::string title, subtitle, result, footer;
-  std::string remark;  ///< stands beside the result in a warning colour, "" = none
+  std::string note;    ///< how the result came about, "" = nothing to say
+  std::string remark;  ///< what to beware of, in a warning colour, "" = nothing
   Polyline exterior;
   std::vector<Material> materials;
   std::vector<Layer> layers;
@@ -58,6 +59,7 @@ struct Sheet {
   double kh = 0, kv = 0;
   std::vector<Cell> cells;
   double spacing_x = 1, spacing_y = 1;
+  double full_strain = 0;     ///< strain of the darkest colour; 0 = that of the particles
   std::vector<Grain> grains;  ///< not empty: soil in motion, drawn instead of cells and layers
   Polyline slip;              ///< empty = none found
 };
