@@ -3,7 +3,9 @@
 
 #include "arrays.h"
 #include "guard.h"
+#include "scene/wording.h"
 #include "selection.h"
+#include "simulation/outside.h"
 #include "simulation/scattered.h"
 
 namespace vbgpd::capi {
@@ -29,11 +31,47 @@ std::vector<double> present_rows(const Simulation& simulation, std::int32_t fiel
   return rows;
 }
 
+/// Beyond it squares of distances between places and particles would overflow; no map reaches as far.
+constexpr double kFarthest = 1e12;
+bool on_a_map(double coordinate) { return std::fabs(coordinate) <= kFarthest; }
+
+void require_places(const std::vector<Point>& places) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (on_a_map(places[k].x) && on_a_map(places[k].y)) continue;
+    const bool finite = std::isfinite(places[k].x) && std::isfinite(places[k].y);
+    Issue issue;
+    issue.status = Status::kRange, issue.item = static_cast<std::int64_t>(k);
+    issue.text = "Place " + std::to_string(k) +
+                 (finite ? " is at (" + number_text(places[k].x) + ", " + number_text(places[k].y) +
+                               "); coordinates must be between -" + number_text(kFarthest) + " and " +
+                               number_text(kFarthest) + " m."
+                         : " has a coordinate that is not a finite number.");
+    throw ArgumentError(3, issue);
+  }
+}
+
+/// The issue's item is the place, as the caller numbers them, not a particle that would get a value from there.
+void require_values(const FieldInfo& info, const std::vector<double>& given, bool gaps, int argument) {
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    if (gaps && std::isnan(given[k])) continue;
+    const std::string fault = fault_of(info, given[k]);
+    if (fault.empty()) continue;
+    Issue issue;
+    issue.status = Status::kRange, issue.item = static_cast<std::int64_t>(k) / info.components, issue.value = given[k];
+    issue.text = "The value at place " + std::to_string(issue.item) + " " + fault + ".";
+    throw ArgumentError(argument, issue);
+  }
+}
+
 void require_raster(double x0, double y0, double dx, double dy, std::int64_t nx, std::int64_t ny) {
   if (!(std::isfinite(x0) && std::isfinite(y0) && std::isfinite(dx) && std::isfinite(dy) && dx > 0 && dy > 0))
     throw ArgumentError(5, Status::kArgument, "A raster needs a finite corner and steps dx, dy above 0.");
   if (nx < 1 || ny < 1 || nx > (std::int64_t{1} << 31) / ny)
     throw ArgumentError(7, Status::kArgument, "A raster has 1 or more columns and rows, at most 2^31 places.");
+  if (!(on_a_map(x0) && on_a_map(y0) && on_a_map(x0 + static_cast<double>(nx - 1) * dx) &&
+        on_a_map(y0 + static_cast<double>(ny - 1) * dy)))
+    throw ArgumentError(3, Status::kRange,
+                        "The raster reaches beyond 1e+12 m; coordinates must be between -1e+12 and 1e+12 m.");
 }
 
 }  // namespace
@@ -72,24 +110,11 @@ vbgpd_status vbgpd_model_write_points(vbgpd_model* model, int32_t field, const d
     const FieldInfo& info = writable_field(field);
     if (n < 1) throw ArgumentError(8, Status::kArgument, "n must be 1 or more.");
     std::vector<Point> places = points_in(xy, stride_xy, n, 3);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      if (std::isfinite(places[k].x) && std::isfinite(places[k].y)) continue;
-      Issue issue;
-      issue.status = Status::kRange, issue.item = static_cast<std::int64_t>(k);
-      issue.text = "Place " + std::to_string(k) + " has a coordinate that is not a finite number.";
-      throw ArgumentError(3, issue);
-    }
+    require_places(places);
     require_not_null(src, 5, "src");
     const Strides strides = strides_in(stride_item, stride_component, info.components, n, 6);
     std::vector<double> given = gather<double>(src, info.components, strides, n);
-    for (std::size_t k = 0; k < given.size(); ++k) {
-      if (std::isfinite(given[k])) continue;
-      Issue issue;
-      issue.status = Status::kRange, issue.item = static_cast<std::int64_t>(k) / info.components,
-      issue.value = given[k];
-      issue.text = "The value at place " + std::to_string(issue.item) + " is not a finite number.";
-      throw ArgumentError(5, issue);
-    }
+    require_values(info, given, false, 5);
     const Scattered values(std::move(places), std::move(given), info.components);
     const std::vector<double> at = field_rows(simulation, "position");
     const auto components = static_cast<std::size_t>(info.components);
@@ -111,6 +136,7 @@ vbgpd_status vbgpd_model_write_grid(vbgpd_model* model, int32_t field, double x0
     require_not_null(src, 9, "src");
     const std::int64_t stride = stride_in(stride_item, nx * ny, 10);
     const Raster raster{x0, y0, dx, dy, nx, ny, gather<double>(src, 1, {stride, 8}, nx * ny)};
+    require_values(info, raster.values, true, 9);
     const std::vector<double> at = field_rows(simulation, "position");
     std::vector<double> rows = present_rows(simulation, field);
     for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -14,7 +14,7 @@ void FlowSimulation::write(int field, const std::vector<double>& rows) {
   if (!info.writable) throw Error(Status::kState, std::string("field '") + info.name + "' can be read, not written");
   if (rows.size() != static_cast<std::size_t>(info.components) * static_cast<std::size_t>(model_.particles))
     throw Error(Status::kArgument, std::string("field '") + info.name + "' needs a row for every particle");
-  require_finite(info, rows);
+  require_writable(info, rows);
   if (name == "velocity") return write_velocity(rows);
   Outside changed = outside();
   if (name == "pore_pressure") changed.pore_pressure = pressure_of(rows, model_.heap);

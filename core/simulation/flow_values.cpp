@@ -37,6 +37,7 @@ Real FlowSimulation::energy_residual() const {
   const Real kinetic = kinetic_energy() - ledger_.kinetic_before, guard = last_.guard - ledger_.guard_before;
   const Real residual = ledger_.external - kinetic - ledger_.internal - ledger_.bond - ledger_.viscous - guard -
                         ledger_.damping - ledger_.contact;
+  if (!std::isfinite(residual)) return kNone;
   const Real largest = std::max({std::fabs(ledger_.external), std::fabs(kinetic), std::fabs(ledger_.internal),
                                  std::fabs(ledger_.viscous), std::fabs(ledger_.damping), 1e-6 * ledger_.stored_before});
   return largest > 0 ? std::fabs(residual) / largest : 0;

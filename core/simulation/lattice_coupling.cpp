@@ -35,7 +35,7 @@ void LatticeSimulation::write(int field, const std::vector<double>& rows) {
   if (!info.writable) throw Error(Status::kState, std::string("field '") + info.name + "' can be read, not written");
   if (rows.size() != section_.seeds.size() * components)
     throw Error(Status::kArgument, std::string("field '") + info.name + "' needs a row for every particle");
-  require_finite(info, rows);
+  require_writable(info, rows);
   if (name == "velocity") return write_velocity(rows);
   Outside changed = outside_;
   if (name == "pore_pressure") {

@@ -1,7 +1,9 @@
 #include "simulation/outside.h"
 
 #include <cmath>
+#include <string_view>
 
+#include "scene/wording.h"
 #include "simulation/simulation.h"
 
 namespace vbgpd {
@@ -45,13 +47,22 @@ void add_pore_force(const Array& pressure, Model& m) {
   });
 }
 
-void require_finite(const FieldInfo& info, const std::vector<double>& rows) {
+std::string fault_of(const FieldInfo& info, double value) {
+  if (!std::isfinite(value)) return "is not a finite number";
+  if (std::string_view(info.name) == "velocity" && std::fabs(value) > kLargestSpeed)
+    return "is " + number_text(value) + " m/s; it must be between -" + number_text(kLargestSpeed) + " and " +
+           number_text(kLargestSpeed) + " m/s";
+  return {};
+}
+
+void require_writable(const FieldInfo& info, const std::vector<double>& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (std::isfinite(rows[k])) continue;
+    const std::string fault = fault_of(info, rows[k]);
+    if (fault.empty()) continue;
     Issue issue;
     issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = rows[k];
     issue.item = static_cast<std::int64_t>(k) / info.components;
-    issue.text = std::string(info.name) + " of particle " + std::to_string(issue.item) + " is not a finite number";
+    issue.text = std::string(info.name) + " of particle " + std::to_string(issue.item) + " " + fault;
     throw Error(issue);
   }
 }

@@ -1,6 +1,7 @@
 // What a partner program sets while a simulation runs: forces on particles and the pressure of the water in the pores.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "state/model.h"
@@ -33,8 +34,13 @@ struct PoreFlux {
 /// fixed, so this sum is made once per pressure field; the bonds go on to carry effective stress.
 void add_pore_force(const Array& pore_pressure, Model& m);
 
-/// Throws Error(kRange) that names the first particle with a number that is not finite; rows by particle id.
-void require_finite(const FieldInfo& info, const std::vector<double>& rows);
+/// m/s, of what may be written: beyond it kinetic energy and the works booked with it would soon be no numbers that a
+/// checkpoint holds, and no wave in soil is as fast.
+inline constexpr double kLargestSpeed = 1e9;
+/// What is wrong with a number of a writable field, as "is not a finite number"; empty where nothing is.
+std::string fault_of(const FieldInfo& info, double value);
+/// Throws Error(kRange) that names the first particle with such a number; rows by particle id.
+void require_writable(const FieldInfo& info, const std::vector<double>& rows);
 
 /// Throws Error(kRange) for loads and velocities that are not finite, Error(kState) for a velocity of a boundary that
 /// does not move.

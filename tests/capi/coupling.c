@@ -211,6 +211,56 @@ static void raster_with_gaps(vbgpd_context* context) {
   CHECK_OK(vbgpd_model_destroy(model));
 }
 
+static void refused_at(vbgpd_model* model, vbgpd_status status, int32_t argument, int64_t item, const char* part) {
+  vbgpd_error_info info;
+  char text[400];
+  info.struct_size = sizeof info;
+  CHECK(status == VBGPD_E_RANGE);
+  CHECK_OK(vbgpd_model_error(model, &info, text, sizeof text, NULL));
+  CHECK(info.status == status && info.argument == argument && info.item == item);
+  CHECK_CONTAINS(text, part);
+}
+
+/* As the caller numbers them, not by the particle that would have got a value from there. */
+static void bad_values_are_named_by_their_place(vbgpd_context* context) {
+  vbgpd_model* model = block_model(context);
+  const int32_t pressure = field_of("pore_pressure");
+  double xy[8] = {0, 0, 10, 0, 10, 10, 0, 10}, at[4] = {1, 2, NAN, 4};
+  refused_at(model, vbgpd_model_write_points(model, pressure, xy, 16, at, 0, 0, 4), 5, 2, "place 2 is not a finite");
+  at[2] = NAN, at[3] = INFINITY; /* no value at 2 is no fault of a raster */
+  refused_at(model, vbgpd_model_write_grid(model, pressure, 0, 0, 10, 10, 2, 2, at, 0), 9, 3,
+             "place 3 is not a finite");
+  at[2] = at[3] = 5, xy[3] = 1e200;
+  refused_at(model, vbgpd_model_write_points(model, pressure, xy, 16, at, 0, 0, 4), 3, 1, "Place 1 is at (10, 1e+200)");
+  refused_at(model, vbgpd_model_write_grid(model, pressure, 1e200, 0, 1, 1, 2, 2, at, 0), 3, -1, "1e+12");
+  CHECK_OK(vbgpd_model_destroy(model));
+}
+
+/* Energies of these are no numbers that a checkpoint could hold. */
+static void velocities_beyond_all_bounds_are_refused(vbgpd_context* context) {
+  vbgpd_model *model = block_model(context), *runout = NULL;
+  vbgpd_model* both[2];
+  double velocity[2] = {0, -1e148};
+  const int64_t id = 3;
+  vbgpd_selection one;
+  int k;
+  memset(&one, 0, sizeof one);
+  one.struct_size = sizeof one, one.kind = VBGPD_SELECT_IDS, one.ids = &id, one.n_ids = 1;
+  CHECK_OK(vbgpd_model_create_runout(model, &runout));
+  both[0] = model, both[1] = runout;
+  for (k = 0; k < 2; ++k) {
+    const int32_t field = field_of("velocity");
+    velocity[1] = -1e148;
+    refused_at(both[k], vbgpd_model_write_f64(both[k], field, &one, velocity, 0, 0, 1), 0, 3,
+               "velocity of particle 3 is -1e+148 m/s; it must be between -1e+09 and 1e+09 m/s");
+    CHECK(model_number(both[k], "external_work") == 0 && model_number(both[k], "kinetic_energy") == 0);
+    velocity[1] = -1e9;
+    CHECK_OK(vbgpd_model_write_f64(both[k], field, &one, velocity, 0, 0, 1));
+  }
+  CHECK_OK(vbgpd_model_destroy(runout));
+  CHECK_OK(vbgpd_model_destroy(model));
+}
+
 /* The factor of safety counts water in, on both grids. */
 static void water_lowers_the_factor_of_safety(vbgpd_context* context) {
   double factor[2];
@@ -243,6 +293,8 @@ int main(void) {
   driven_as_by_the_profile(context);
   moved_wall(context);
   raster_with_gaps(context);
+  bad_values_are_named_by_their_place(context);
+  velocities_beyond_all_bounds_are_refused(context);
   water_lowers_the_factor_of_safety(context);
   CHECK_OK(vbgpd_context_destroy(context));
   return 0;

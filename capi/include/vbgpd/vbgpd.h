@@ -238,7 +238,8 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* 
  * displacement_level (E u_max / gamma H^2), total_mass, area, height, spacing_x, spacing_y, particles, bonds, plastic_bonds,
  * bytes, and the energy ledger of dynamic steps: kinetic_energy, elastic_energy, plastic_dissipation, damping_dissipation,
  * external_work, energy_residual (relative to the largest of them; what jobs relax is not booked: after one, 0 until the next
- * step, and the elastic energy counts from there; NaN while walls are moved, whose work is not booked); and estimates of a factor of safety on this grid, from
+ * step, and the elastic energy counts from there; NaN while walls are moved, whose work is not booked, and where a
+ * sum is no number); and estimates of a factor of safety on this grid, from
  * steps that are run when asked and taken back: forecast_step_seconds (measured), forecast_steps, forecast_seconds, forecast_bytes
  * (like a call that changes the model: VBGPD_E_LEASED, VBGPD_E_STATE while a job is under way; a run-out: VBGPD_E_UNSUPPORTED) */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_get_f64(const vbgpd_model*, const char* name, int64_t len, double* value);
@@ -526,8 +527,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_events_read(vbgpd_model*, int64_t 
  *   stress - pore_pressure. The pressure goes on into the wall particles: set them too (_points and _grid do). Where it is
  *   not 0 at the ground, the water standing there is a load of its own. Jobs count it in, on every grid.
  * external_force (N per metre run, x and y): added to weight and loads.
- * velocity (m/s): of what walls do not hold; the energy ledger books it as external work.
- * A number that is not finite gives VBGPD_E_RANGE with the particle in the error record's item. */
+ * velocity (m/s, -1e9 to 1e9): of what walls do not hold; the energy ledger books it as external work.
+ * A number that is not finite, or out of that range, gives VBGPD_E_RANGE with the error record's item: the particle, in
+ * _points the place, in _grid the item. Places farther out than 1e12 m are refused alike. */
 /* n items in the order of the selection (NULL = all particles by id); n must be their number. strides as _read_f64. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_write_f64(vbgpd_model*, int32_t field, const vbgpd_selection* selection, const double* src, int64_t stride_item, int64_t stride_component, int64_t n);
 /* Values at n places of another program, e.g. nodes of a seepage mesh, brought to all particles at their present
