@@ -201,6 +201,35 @@ class PythonFace(unittest.TestCase):
                 call()
             self.assertEqual(caught.exception.status, vbgpd.Status.E_UNKNOWN_NAME)
 
+    def test_ids_are_one_row_of_whole_numbers(self):
+        model = vbgpd.Model(self.context, make_profile(self.context))
+        n = model.item_count(vbgpd.Location.PARTICLE)
+        mask = model.field("position")[:, 0] < 10
+        with self.assertRaisesRegex(TypeError, "flatnonzero"):
+            vbgpd.Selection(ids=mask)
+        for wrong, fault in (([0.5, 1.5], TypeError), (numpy.zeros((2, 2), int), ValueError), (3, ValueError),
+                             (numpy.array([2**64 - 1], numpy.uint64), OverflowError), (["1"], TypeError)):
+            with self.assertRaises(fault):
+                vbgpd.Selection(ids=wrong)
+        for ids in (numpy.flatnonzero(mask), numpy.arange(n, dtype=numpy.uint8)[::-3], [4, 2], []):
+            self.assertEqual(model.select(vbgpd.Selection(ids=ids)).tolist(), list(ids))
+
+    def test_integers_that_do_not_fit_are_refused_and_do_not_wrap(self):
+        profile = make_profile(self.context)
+        profile.add_load(2, 6, 10e3)
+        model = vbgpd.Model(self.context, profile)
+        for call in (lambda: vbgpd.Context(library=LIBRARY, threads=2**40), lambda: model.step(2**64),
+                     lambda: vbgpd.Context(library=LIBRARY, max_bytes=2**63), lambda: model.set_load(2**64, 7.0, 7.0),
+                     lambda: model.boundary_reaction(-2**64), lambda: vbgpd.Selection(layer=2**64),
+                     lambda: profile.get("cohesion", vbgpd.Kind.MATERIAL, 2**64), lambda: profile.count(2**32 + 3),
+                     lambda: profile.add_layer(2**64)):
+            with self.assertRaisesRegex(OverflowError, "must be between"):
+                call()
+        self.assertEqual((model.get("steps"), profile.count(vbgpd.Kind.LAYER)), (0, 1))
+        with self.assertRaisesRegex(TypeError, "argument 2 of vbgpd_model_step must be a whole number, not 1.5"):
+            model.step(1.5)
+        self.assertEqual(model.step(numpy.int64(2))[1].steps, 2)
+
     def test_numbers_go_back_to_absent_by_none(self):
         profile = make_profile(self.context)
         profile.set("tension_cutoff", 5e3, vbgpd.Kind.MATERIAL)

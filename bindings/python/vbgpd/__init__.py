@@ -22,8 +22,8 @@ import numpy
 from . import _raw
 from ._arrays import Selection, View, values_in
 from ._engine import (Boundary, Error, Event, FieldInfo, Issue, Kind, Library, Location, LogLevel, LogLine, Property, Status, Verdict, address,
-                      build_info, bytes_from, field, fields, points_from, points_in, properties, raise_failure, status_name,
-                      text_from, version, version_number)
+                      build_info, bytes_from, field, fields, fitting, points_from, points_in, properties, raise_failure, status_name,
+                      text_from, version, version_number, whole)
 
 __all__ = ["Boundary", "Context", "Error", "Event", "FieldInfo", "Issue", "Job", "Kind", "Library", "Location", "LogLevel", "LogLine",
            "Model", "Profile", "Property", "Selection", "State", "Status", "Verdict", "View", "build_info", "field",
@@ -39,7 +39,8 @@ class _Object:
     def __init__(self, library, create, *arguments, owner=None):
         self._library, self._c = library, library.c
         handle = getattr(_raw, f"vbgpd_{self._name}")()
-        status = getattr(self._c, create)(*arguments, ctypes.byref(handle))
+        function = getattr(self._c, create)
+        status = function(*fitting(function, (*arguments, ctypes.byref(handle))))
         if owner is None:  # a context: what it is made from tells
             raise_failure(status, self._c.vbgpd_context_desc_check, *arguments)
         else:
@@ -55,7 +56,8 @@ class _Object:
         return raise_failure(status, getattr(self._c, f"vbgpd_{self._name}_error"), self._handle)
 
     def _call(self, function, *arguments):
-        return self._check(getattr(self._c, f"vbgpd_{self._name}_{function}")(self._handle, *arguments))
+        call = getattr(self._c, f"vbgpd_{self._name}_{function}")
+        return self._check(call(*fitting(call, (self._handle, *arguments))))
 
     def _get(self, *arguments):
         """The last argument is a name; get_f64 of the object."""
@@ -108,7 +110,9 @@ class Context(_Object):
         loaded = Library.load(library)
         desc = _raw.vbgpd_context_desc()
         raise_failure(loaded.c.vbgpd_context_desc_init(ctypes.byref(desc), ctypes.sizeof(desc)))
-        desc.threads, desc.max_particles, desc.max_bytes = threads, max_particles, max_bytes
+        desc.threads = whole(threads, ctypes.c_int32, "threads")
+        desc.max_particles = whole(max_particles, ctypes.c_int64, "max_particles")
+        desc.max_bytes = whole(max_bytes, ctypes.c_int64, "max_bytes")
         super().__init__(loaded, "vbgpd_context_create", ctypes.byref(desc))
 
     def log(self, after=0):

@@ -5,12 +5,26 @@ import weakref
 import numpy
 
 from . import _raw
-from ._engine import address, points_in
+from ._engine import address, points_in, whole
+
+
+def _ids_in(ids):
+    array = numpy.asarray(ids)
+    if array.ndim != 1:
+        raise ValueError(f"ids are one row of numbers; the array has the shape {array.shape}")
+    if array.dtype == bool:
+        raise TypeError("ids are numbers of particles, not a mask: give numpy.flatnonzero(mask)")
+    if array.dtype.kind not in "iu" and len(array):
+        raise TypeError(f"ids are whole numbers; the array is of {array.dtype}")
+    if array.dtype.kind == "u" and len(array) and int(array.max()) > numpy.iinfo(numpy.int64).max:
+        raise OverflowError(f"there is no particle {array.max()}")
+    return numpy.ascontiguousarray(array, dtype=numpy.int64)
 
 
 class Selection:
     """Which particles; give one: ids, box (xmin, ymin, xmax, ymax), polygon (rows of x, y), material, layer, boundary
-    (an id) or soil=True. A box and a polygon are meant in the present shape."""
+    (an id) or soil=True. A box and a polygon are meant in the present shape. ids are whole numbers; of a mask over all
+    particles give numpy.flatnonzero(mask)."""
 
     def __init__(self, ids=None, box=None, polygon=None, material=None, layer=None, boundary=None, soil=False):
         given = [ids is not None, box is not None, polygon is not None, material is not None, layer is not None,
@@ -19,7 +33,7 @@ class Selection:
             raise ValueError("a selection is by one of ids, box, polygon, material, layer, boundary and soil")
         self._record = r = _raw.vbgpd_selection()
         if ids is not None:
-            self._array = numpy.ascontiguousarray(ids, dtype=numpy.int64)
+            self._array = _ids_in(ids)
             r.kind, r.ids, r.ids_stride, r.n_ids = (_raw.VBGPD_SELECT_IDS, address(self._array, ctypes.c_int64), 8,
                                                     len(self._array))
         elif box is not None:
@@ -32,7 +46,9 @@ class Selection:
             r.kind = (_raw.VBGPD_SELECT_MATERIAL if material is not None else
                       _raw.VBGPD_SELECT_LAYER if layer is not None else
                       _raw.VBGPD_SELECT_BOUNDARY if boundary is not None else _raw.VBGPD_SELECT_SOIL)
-            r.object_id = next((i for i in (material, layer, boundary) if i is not None), 0)
+            what, of = next(((name, i) for name, i in (("material", material), ("layer", layer), ("boundary", boundary))
+                             if i is not None), ("soil", 0))
+            r.object_id = whole(of, ctypes.c_int64, what)
 
     @property
     def pointer(self):

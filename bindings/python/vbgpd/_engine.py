@@ -2,6 +2,7 @@
 import ctypes
 import enum
 import math
+import operator
 import os
 from collections import namedtuple
 
@@ -158,6 +159,29 @@ def bytes_from(call):
     buffer = ctypes.create_string_buffer(needed.value)
     call(buffer, needed.value, ctypes.byref(needed))
     return buffer.raw
+
+
+def whole(value, kind, what):
+    """A Python or numpy integer that fits an integer type of the C face, which by itself would take it modulo 2^32 or
+    2^64."""
+    try:
+        value = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{what} must be a whole number, not {value!r}") from None
+    bits = 8 * ctypes.sizeof(kind)
+    low, high = (0, 2**bits - 1) if kind(-1).value > 0 else (-2**(bits - 1), 2**(bits - 1) - 1)
+    if not low <= value <= high:
+        raise OverflowError(f"{what} is {value}; it must be between {low} and {high}")
+    return value
+
+
+_WHOLE = (ctypes.c_int32, ctypes.c_uint32, ctypes.c_int64, ctypes.c_uint64)
+
+
+def fitting(function, arguments):
+    """The arguments of a function of the C face, its integers checked to fit."""
+    return [whole(value, kind, f"argument {i + 1} of {function.__name__}") if kind in _WHOLE else value
+            for i, (kind, value) in enumerate(zip(function.argtypes, arguments))]
 
 
 def address(array, number=ctypes.c_double):
