@@ -274,12 +274,16 @@ class StrengthReductionJob final : public SliceJob {
       result_.status = "NOT_CONVERGED", result_.reason = stop_, outcome_ = Status::kNotConverged;
       return;
     }
-    if (levels.empty() || (gave_up_ && !open_)) return;  // give_up has said why
+    if (levels.empty() || (gave_up_ && !open_)) {  // give_up has said why
+      result_.next_level_spacing = result_.next_level_seconds = kNone;
+      return;
+    }
     if (gave_up_) stop_ = "the next grid: " + result_.reason;
     if (!gave_up_ && stop_.empty()) predict(most_);
     result_.srf_stable = levels.back().srf_stable, result_.srf_unstable = levels.back().srf_unstable;
     outcome_ = Status::kOk;
-    result_.factor_of_safety = now_.value, result_.error_estimate = now_.error;
+    result_.factor_of_safety = now_.value;
+    result_.error_estimate = levels.size() > 1 ? now_.error : kNone;  // half a bracket is no error of the grid
     result_.observed_order = now_.observed_order;
     result_.status = now_.status, result_.reason = now_.reason;
     if (now_.status == "ENERGY_UNBALANCED") outcome_ = Status::kNotConverged;
