@@ -1,10 +1,13 @@
 // Jobs: long analyses in slices.
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "convert.h"
 #include "guard.h"
 #include "listener.h"
+#include "scene/wording.h"
 
 namespace vbgpd::capi {
 namespace {
@@ -114,15 +117,56 @@ vbgpd_level level_of(const Level& from) {
   return to;
 }
 
+using Names = std::vector<std::string_view>;
+
+Names known_options() {
+  Names names;
+  for (const JobOption& option : job_options()) names.emplace_back(option.name);
+  return names;
+}
+
+/// What _get_f64 answers, options first.
+Names known_numbers() {
+  Names names = known_options();
+  names.insert(names.end(), {"factor_of_safety",
+                             "srf_stable",
+                             "srf_unstable",
+                             "error_estimate",
+                             "displacement_level",
+                             "sliding_area",
+                             "energy_residual",
+                             "unbalanced_force_ratio",
+                             "max_displacement",
+                             "crest_settlement",
+                             "toe_displacement",
+                             "runout_distance",
+                             "moved_area",
+                             "plastic_fraction",
+                             "observed_order",
+                             "next_level_spacing",
+                             "next_level_seconds",
+                             "trials",
+                             "steps",
+                             "particles",
+                             "bonds",
+                             "wall_seconds",
+                             "cpu_seconds"});
+  return names;
+}
+
+[[noreturn]] void unknown_name(const char* what, std::string_view name, const Names& known) {
+  throw ArgumentError(2, Status::kUnknownName,
+                      std::string("A job has no ") + what + " named \"" + std::string(name) + "\": it has " +
+                          list_text(known) + suggestion_text(name, known));
+}
+
 const std::string& named_text(const JobResult& result, std::string_view name) {
   if (name == "status") return result.status;
   if (name == "reason") return result.reason;
   if (name == "scheme") return result.scheme;
   if (name == "reduced") return result.reduced;
   if (name == "flow_rule") return result.flow_rule;
-  throw ArgumentError(
-      2, Status::kUnknownName,
-      "A job has no text named \"" + std::string(name) + "\"; it has status, reason, scheme, reduced, flow_rule.");
+  unknown_name("text", name, {"status", "reason", "scheme", "reduced", "flow_rule"});
 }
 
 }  // namespace
@@ -145,7 +189,10 @@ vbgpd_status vbgpd_job_create_runout(vbgpd_model* model, vbgpd_job** out) {
 
 vbgpd_status vbgpd_job_set_f64(vbgpd_job* job, const char* name, int64_t len, double value) {
   return with(job, [&](JobObject& object) {
-    object.job->set(text_in(name, len, 2, "name"), value);
+    const std::string_view key = text_in(name, len, 2, "name");
+    if (const Names known = known_options(); std::find(known.begin(), known.end(), key) == known.end())
+      unknown_name("option", key, known);
+    object.job->set(key, value);
     return Status::kOk;
   });
 }
@@ -185,6 +232,8 @@ vbgpd_status vbgpd_job_get_f64(const vbgpd_job* job, const char* name, int64_t l
   return with(job, [&](JobObject& object) {
     require_not_null(value, 4, "value");
     const std::string_view key = text_in(name, len, 2, "name");
+    if (const Names known = known_numbers(); std::find(known.begin(), known.end(), key) == known.end())
+      unknown_name("number", key, known);
     std::optional<Inside> model;  // what is read off the model, which another thread may be stepping
     if (key == "particles" || key == "bonds") require(model.emplace(object.engine->gate), 1, "model of this job");
     *value = object.job->get(key);

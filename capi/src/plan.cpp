@@ -43,7 +43,10 @@ std::optional<double> forecast_of(const Engine& engine, std::string_view name) {
   if (name == "steps") number = &Forecast::steps;
   if (name == "seconds") number = &Forecast::seconds;
   if (name == "bytes") number = &Forecast::bytes;
-  if (number == nullptr) return std::nullopt;
+  if (number == nullptr)
+    throw ArgumentError(2, Status::kUnknownName,
+                        "A model has no forecast named \"forecast_" + std::string(name) +
+                            "\": it has forecast_step_seconds, forecast_steps, forecast_seconds, forecast_bytes.");
   return forecast_strength_reduction(engine.to_change()).*number;
 }
 

@@ -30,6 +30,7 @@ vbgpd_property_info info_of(const Property& from) {
 
 vbgpd_property_info info_of(const NamedValue& from) {
   auto info = info_of(from.name, from.unit, from.doc, from.default_value, from.min_value, from.max_value);
+  info.min_open = from.min_open ? 1 : 0;
   info.max_open = from.max_open ? 1 : 0;
   return info;
 }

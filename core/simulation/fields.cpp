@@ -49,9 +49,9 @@ constexpr NamedValue kValues[] = {
      kDefaultTimeStepFactor, 1e-6, 4, false, true},
     {"strength_reduction_factor", "1", "F by which c and tan phi are divided", 1, 1e-3, 1e3, false, true},
     {"kh", "1", "pseudo-static coefficient: body force kh * unit weight towards +x; at first that of the profile", 0,
-     -1, 1, true, true},
+     -1, 1, true, true, true},
     {"kv", "1", "pseudo-static coefficient: body force kv * unit weight downwards; at first that of the profile", 0, -1,
-     1, true, true},
+     1, true, true, true},
     {"time", "s", "simulated time", 0, 0, kInf, false, false},
     {"steps", "1", "dynamic steps done", 0, 0, kInf, false, false},
     {"time_step", "s", "time step of dynamic stepping", kNan, 0, kInf, false, false},
@@ -98,14 +98,24 @@ void require_settable(std::string_view name, double value) {
   for (const NamedValue& v : kValues) {
     if (name != v.name) continue;
     if (!v.settable) throw Error(Status::kState, std::string(name) + " can be read, not set");
-    if (value >= v.min_value && (v.max_open ? value < v.max_value : value <= v.max_value)) return;
+    if ((v.min_open ? value > v.min_value : value >= v.min_value) &&
+        (v.max_open ? value < v.max_value : value <= v.max_value))
+      return;
     Issue issue;
     issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = value;
-    issue.text = std::string(name) + " = " + number_text(value) + ": must be in [" + number_text(v.min_value) + ", " +
-                 number_text(v.max_value) + (v.max_open ? ")" : "]");
+    issue.text = std::string(name) + " = " + number_text(value) + ": must be in " + (v.min_open ? "(" : "[") +
+                 number_text(v.min_value) + ", " + number_text(v.max_value) + (v.max_open ? ")" : "]");
     throw Error(issue);
   }
-  throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
+  no_such_value(name);
+}
+
+void no_such_value(std::string_view name, std::initializer_list<std::string_view> others) {
+  std::vector<std::string_view> known;
+  for (const NamedValue& v : kValues) known.emplace_back(v.name);
+  known.insert(known.end(), others);
+  throw Error(Status::kUnknownName, "a model has no number named \"" + std::string(name) + "\": it has " +
+                                        list_text(known) + suggestion_text(name, known));
 }
 
 }  // namespace vbgpd

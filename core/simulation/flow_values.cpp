@@ -125,7 +125,8 @@ double FlowSimulation::get(std::string_view name) const {
   if (name == "neighbour_searches") return static_cast<double>(searches_);
   for (const NamedValue& v : named_values())
     if (name == v.name) throw Error(Status::kUnsupported, std::string(name) + " has no value on a run-out model");
-  throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
+  no_such_value(name, {"peak_kinetic_energy", "standing_time", "viscous_dissipation", "contact_work", "viscosity",
+                       "yielding_area", "neighbour_searches"});
 }
 
 }  // namespace vbgpd

@@ -324,7 +324,7 @@ double LatticeSimulation::get(std::string_view name) const {
   if (name == "damping_dissipation") return ledger_.damping;
   if (name == "external_work") return ledger_.external;
   if (name == "energy_residual") return energy_residual();
-  throw Error(Status::kUnknownName, "no value is named '" + std::string(name) + "'");
+  no_such_value(name);
 }
 
 }  // namespace vbgpd

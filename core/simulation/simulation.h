@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -46,10 +47,13 @@ struct NamedValue {
   double default_value, min_value, max_value;
   bool max_open;
   bool settable;
+  bool min_open = false;
 };
 std::span<const NamedValue> named_values();
 /// Throws unless `name` is a named number that may be set to `value`: Error(kUnknownName), (kState), (kRange).
 void require_settable(std::string_view name, double value);
+/// Throws Error(kUnknownName) that says which there are: named_values and what else a kind of simulation has.
+[[noreturn]] void no_such_value(std::string_view name, std::initializer_list<std::string_view> others = {});
 
 /// A dynamic step as a share of the stable one: what the measurement may still miss of the highest frequency, and
 /// what plastic flow or growing velocities may add to it, comes off.

@@ -200,6 +200,8 @@ class PythonFace(unittest.TestCase):
             with self.assertRaises(vbgpd.Error) as caught:
                 call()
             self.assertEqual(caught.exception.status, vbgpd.Status.E_UNKNOWN_NAME)
+        with self.assertRaisesRegex(vbgpd.Error, "position, .*; did you mean \"pore_pressure\""):
+            model.field("pore_presure")
 
     def test_ids_are_one_row_of_whole_numbers(self):
         model = vbgpd.Model(self.context, make_profile(self.context))

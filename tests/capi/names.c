@@ -100,6 +100,60 @@ static void jobs_and_models(vbgpd_context* context) {
   CHECK_OK(vbgpd_model_destroy(model));
 }
 
+/* A text that says which names there are; behind "it has", each is asked for. */
+static const char* told_of(const vbgpd_model* model, const vbgpd_job* job, const char* part) {
+  static char text[4000];
+  if (job != NULL) CHECK_OK(vbgpd_job_error(job, NULL, text, sizeof text, NULL));
+  else CHECK_OK(vbgpd_model_error(model, NULL, text, sizeof text, NULL));
+  CHECK_CONTAINS(text, part);
+  return text;
+}
+
+static void unknown_names_are_answered_with_the_known_ones(vbgpd_context* context) {
+  vbgpd_model *model = make_model(context, 2.5), *runout = NULL;
+  vbgpd_job* job = NULL;
+  double value;
+  char *name, names[4000];
+  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_model_get_f64(model, "kinetic_enrgy", VBGPD_STRLEN, &value));
+  told_of(model, NULL, "did you mean \"kinetic_energy\"");
+  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_model_set_f64(model, "dampin", VBGPD_STRLEN, 0));
+  told_of(model, NULL, "a model has no number named \"dampin\": it has damping, ");
+  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_model_get_f64(model, "forecast_weather", VBGPD_STRLEN, &value));
+  told_of(model, NULL, "it has forecast_step_seconds");
+  CHECK_OK(vbgpd_model_create_runout(model, &runout));
+  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_model_get_f64(runout, "standing_tim", VBGPD_STRLEN, &value));
+  told_of(runout, NULL, "did you mean \"standing_time\"");
+  CHECK_OK(vbgpd_job_create_strength_reduction(model, &job));
+  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_job_set_f64(job, "srf_mn", VBGPD_STRLEN, 1));
+  told_of(model, job, "A job has no option named \"srf_mn\": it has srf_min, ");
+  CHECK_STATUS(VBGPD_E_UNKNOWN_NAME, vbgpd_job_get_f64(job, "weather", VBGPD_STRLEN, &value));
+  strcpy(names, strstr(told_of(model, job, "it has srf_min, "), "srf_min"));
+  for (name = strtok(names, ", "); name != NULL; name = strtok(NULL, ", "))
+    CHECK_OK(vbgpd_job_get_f64(job, name, VBGPD_STRLEN, &value));
+  CHECK_OK(vbgpd_job_destroy(job));
+  CHECK_OK(vbgpd_model_destroy(runout));
+  CHECK_OK(vbgpd_model_destroy(model));
+}
+
+/* An end that is open for a profile is open for a model. */
+static void seismic_coefficients_have_one_range(vbgpd_context* context) {
+  vbgpd_model* model = make_model(context, 2.5);
+  vbgpd_property_info info;
+  int64_t i;
+  int seen = 0;
+  info.struct_size = sizeof info;
+  for (i = 0; vbgpd_property_info_at(VBGPD_OBJECT_MODEL, i, &info) == VBGPD_OK; ++i) {
+    if (info.name[0] != 'k') continue;
+    ++seen;
+    CHECK(info.min_open && info.max_open && info.min_value == -1 && info.max_value == 1);
+    CHECK_STATUS(VBGPD_E_RANGE, vbgpd_model_set_f64(model, info.name, VBGPD_STRLEN, -1));
+    told_of(model, NULL, "must be in (-1, 1)");
+    CHECK_OK(vbgpd_model_set_f64(model, info.name, VBGPD_STRLEN, -0.999));
+  }
+  CHECK(seen == 2);
+  CHECK_OK(vbgpd_model_destroy(model));
+}
+
 static void plan(vbgpd_context* context) {
   vbgpd_model* model = make_model(context, 1);
   vbgpd_feature f;
@@ -152,6 +206,8 @@ int main(void) {
   layers_follow_their_material(profile);
   jobs_and_models(context);
   plan(context);
+  unknown_names_are_answered_with_the_known_ones(context);
+  seismic_coefficients_have_one_range(context);
   versions();
   CHECK_OK(vbgpd_profile_destroy(profile));
   CHECK_OK(vbgpd_context_destroy(context));

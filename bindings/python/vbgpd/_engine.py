@@ -1,5 +1,6 @@
 """The loaded library, and what the objects share: failures, texts, points, tables."""
 import ctypes
+import difflib
 import enum
 import math
 import operator
@@ -263,6 +264,10 @@ def field(name, library=None):
     """The FieldInfo of a name."""
     c, index, key = Library.load(library).c, ctypes.c_int32(), name.encode()
     status = c.vbgpd_field_find(key, len(key), ctypes.byref(index))
+    listed = fields(library)
     if status < 0:
-        raise Error(status, f'There is no field named "{name}".')
-    return fields(library)[index.value]
+        known = [f.name for f in listed]
+        near = difflib.get_close_matches(name, known, 1)
+        meant = f'; did you mean "{near[0]}"?' if near else "."
+        raise Error(status, f'There is no field named "{name}": there are {", ".join(known)}{meant}')
+    return listed[index.value]

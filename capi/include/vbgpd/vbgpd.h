@@ -231,7 +231,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create(vbgpd_context*, const vbgpd
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_destroy(vbgpd_model*);
 /* "damping" (local damping coefficient of dynamic steps, [0, 1), default 0), "strength_reduction_factor" (default 1),
  * "time_step_factor" (time step of dynamic steps over the stable one, default 0.68; above 1 they diverge; not of a run-out),
- * "kh", "kv" (pseudo-static coefficients, at first those of the profile; weight acts times 1 + kv). May be set between
+ * "kh", "kv" (pseudo-static coefficients, (-1, 1) as in a profile and at first those; weight acts times 1 + kv). May be set between
  * any two steps; VBGPD_E_RANGE, VBGPD_E_UNKNOWN_NAME, VBGPD_E_STATE (cannot be set). */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_set_f64(vbgpd_model*, const char* name, int64_t len, double value);
 /* the above and: time, steps, stable_time_step, time_step, unbalanced_force_ratio, max_displacement, max_velocity,
