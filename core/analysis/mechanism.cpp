@@ -6,6 +6,7 @@
 #include <map>
 
 #include "analysis/cell_grid.h"
+#include "geometry/outline.h"
 #include "geometry/polygon.h"
 
 namespace vbgpd {
@@ -224,14 +225,11 @@ double sampled(const CellGrid& grid, const Vec2& x) {
   return sum;
 }
 
-/// Each point to the centre of the shear band across the line, as far as there is soil on both of its sides: looked at
+/// Each point to the centre of the shear band across the line, as far as neither side is above the ground: looked at
 /// on one side only, the band would seem to lie there.
-void draw_to_band(std::vector<Vec2>& line, const CellGrid& rate, double reach) {
+void draw_to_band(std::vector<Vec2>& line, const CellGrid& rate, const std::vector<Point>& ground, double reach) {
   const std::vector<Vec2> old = line;
-  const auto in_soil = [&](const Vec2& x) {
-    const Vec2 d = (x - rate.center(0, 0)).cwiseQuotient(rate.lattice().spacing);
-    return rate.soil(static_cast<Index>(std::lround(d.x())), static_cast<Index>(std::lround(d.y())));
-  };
+  const auto above = [&](const Vec2& x) { return x.y() > height_at(ground, x.x()); };
   for (std::size_t k = 0; k < line.size(); ++k) {
     const Vec2 along = (old[std::min(k + 1, old.size() - 1)] - old[k > 0 ? k - 1 : 0]).normalized();
     const Vec2 across(-along.y(), along.x());
@@ -240,7 +238,7 @@ void draw_to_band(std::vector<Vec2>& line, const CellGrid& rate, double reach) {
     for (int n = 1; n <= kSamples; ++n) {
       const double t = reach * n / kSamples;
       const Vec2 left = old[k] + t * across, right = old[k] - t * across;
-      if (!in_soil(left) || !in_soil(right)) break;
+      if (above(left) || above(right)) break;
       const double l = sampled(rate, left), r = sampled(rate, right);
       weight += l + r, moment += (l - r) * t;
     }
@@ -363,7 +361,7 @@ SlipSurface slip_surface(const Simulation& simulation, const Instant& before, co
   if (line.size() < 3) return out;
   line = resampled(line, spacing);
   smooth(line, 4);
-  draw_to_band(line, rate, 2.5 * spacing);
+  draw_to_band(line, rate, section.ground, 2.5 * spacing);
   smooth(line, 4);
   reach_surface(line, section.exterior, std::max(4 * spacing, 0.3 * section.height));
   if (line.front().x() > line.back().x()) std::reverse(line.begin(), line.end());
