@@ -43,9 +43,10 @@ LatticeSimulation::LatticeSimulation(const SceneDef& scene, const CompileOptions
     const Lattice fitted = fit_lattice(scene, spacing * options.spacing_factor, options.lattice_multiple);
     return options.coarsening > 1 ? coarsened(fitted, options.coarsening) : fitted;
   };
-  const Lattice lattice = lattice_of(scene.spacing);
   require_bytes(scene, lattice_of, scene.spacing, kernels.width, options.max_bytes);
-  section_ = discretise(scene, lattice, support_reach(scene), options.max_particles);
+  const bool own_spacing = options.spacing_factor == 1 && options.coarsening == 1;  // not a grid of a job
+  section_ = own_spacing ? section_within(scene, lattice_of, scene.spacing, options.max_particles)
+                         : discretise(scene, lattice_of(scene.spacing), support_reach(scene), options.max_particles);
   model_ = build_model(scene_, section_, kernels.width, options.heap);
   drive_ = scene_drive(scene_, section_);
   state_.allocate(model_);

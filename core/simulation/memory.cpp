@@ -140,4 +140,47 @@ void require_bytes(const SceneDef& scene, const LatticeOf& lattice_of, Real spac
   throw Error(issue);
 }
 
+Section section_within(const SceneDef& scene, const LatticeOf& lattice_of, Real spacing, std::int64_t max_particles) {
+  const int reach = support_reach(scene);
+  const Lattice lattice = lattice_of(spacing);
+  try {
+    return discretise(scene, lattice, reach, max_particles);
+  } catch (const Error& error) {
+    if (error.issue().status != Status::kLimit || max_particles <= 0) throw;
+  }
+  const Box box = box_of(counter_clockwise(scene.exterior));
+  const double area = signed_area(local(counter_clockwise(scene.exterior), lattice.origin));
+  const auto predicted = [&](double step) {  // walls on three sides: rather too many
+    return area / (step * step) + reach * ((box.size().x() + 2 * box.size().y()) / step + 2.0 * reach);
+  };
+  // what is few enough to be cut is counted; a limit is there to save memory
+  constexpr double kCounted = 3e5, kWider = 1.02;
+  const bool counted = predicted(std::sqrt(lattice.spacing.prod())) < kCounted;
+  const double needed = counted ? static_cast<double>(discretise(scene, lattice, reach, 0).seeds.size())
+                                : std::ceil(predicted(std::sqrt(lattice.spacing.prod())));
+  std::string fits;
+  int tries = 30;  // cuts of a section, the first of them almost always good
+  for (double wider = kWider * spacing; wider <= box.size().minCoeff() / 2 && fits.empty() && tries > 0;
+       wider *= kWider) {
+    if (predicted(wider) > 1.2 * static_cast<double>(max_particles)) continue;
+    --tries;
+    const std::string printed = number_text(wider, 3);
+    double rounded = wider;
+    std::from_chars(printed.data(), printed.data() + printed.size(), rounded);
+    try {
+      discretise(scene, lattice_of(rounded), reach, max_particles);
+      fits = printed;
+    } catch (const Error&) {  // the next one
+    }
+  }
+  throw Error(
+      Issue{.status = Status::kLimit,
+            .object = ObjectKind::kProfile,
+            .value = needed,
+            .text = "spacings of " + number_text(lattice.spacing.x()) + " m and " + number_text(lattice.spacing.y()) +
+                    " m need " + (counted ? "" : "about ") + number_text(needed, 12) +
+                    " particles (walls included), more than the " + std::to_string(max_particles) + " allowed: " +
+                    (fits.empty() ? "no spacing was found that fits" : "a spacing of " + fits + " m would fit")});
+}
+
 }  // namespace vbgpd

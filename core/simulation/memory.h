@@ -46,5 +46,8 @@ double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width)
 /// that would fit. 0 = no limit.
 using LatticeOf = std::function<Lattice(Real spacing)>;
 void require_bytes(const SceneDef& scene, const LatticeOf& lattice_of, Real spacing, int width, std::int64_t max_bytes);
+/// The section on the lattice of that spacing. Throws Error(kLimit) that counts its particles, walls included, when
+/// they are more than max_particles (0 = no limit), and names a spacing that fits.
+Section section_within(const SceneDef& scene, const LatticeOf& lattice_of, Real spacing, std::int64_t max_particles);
 
 }  // namespace vbgpd

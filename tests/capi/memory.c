@@ -150,10 +150,49 @@ static void limits_reach_what_is_made_later(void) {
   CHECK_OK(vbgpd_context_destroy(context));
 }
 
+/* One count, walls included, whichever particles are too many; and the spacing it names fits. */
+static void a_limit_of_particles_names_a_spacing_that_fits(void) {
+  vbgpd_context* free_one = make_context();
+  vbgpd_model* whole = make_model(free_one, 1);
+  const int64_t n = (int64_t)model_number(whole, "particles");
+  const int64_t limits[4] = {n - 1, n - n / 4, n / 3, n / 8};
+  int k;
+  for (k = 0; k < 4; ++k) {
+    vbgpd_context_desc desc;
+    vbgpd_context* context = NULL;
+    vbgpd_profile* profile;
+    vbgpd_model* model = NULL;
+    vbgpd_error_info info;
+    char text[400], count[80];
+    const char* fits;
+    CHECK_OK(vbgpd_context_desc_init(&desc, sizeof desc));
+    desc.max_particles = limits[k];
+    CHECK_OK(vbgpd_context_create(&desc, &context));
+    profile = make_profile(context, 1);
+    CHECK_STATUS(VBGPD_E_LIMIT, vbgpd_model_create(context, profile, &model));
+    info.struct_size = sizeof info;
+    CHECK_OK(vbgpd_context_error(context, &info, text, sizeof text, NULL));
+    snprintf(count, sizeof count, "need %d particles (walls included), more than the %d", (int)n, (int)limits[k]);
+    CHECK_CONTAINS(text, count);
+    CHECK(info.value == (double)n);
+    fits = strstr(text, "a spacing of ");
+    CHECK(fits != NULL);
+    set_number(profile, VBGPD_OBJECT_PROFILE, 0, "spacing", strtod(fits + 13, NULL));
+    CHECK_OK(vbgpd_model_create(context, profile, &model));
+    CHECK(model_number(model, "particles") <= (double)limits[k]);
+    CHECK_OK(vbgpd_model_destroy(model));
+    CHECK_OK(vbgpd_profile_destroy(profile));
+    CHECK_OK(vbgpd_context_destroy(context));
+  }
+  CHECK_OK(vbgpd_model_destroy(whole));
+  CHECK_OK(vbgpd_context_destroy(free_one));
+}
+
 int main(void) {
   parts_grow_with_use();
   runouts_have_parts();
   predictions_hold();
   limits_reach_what_is_made_later();
+  a_limit_of_particles_names_a_spacing_that_fits();
   return 0;
 }
