@@ -89,6 +89,7 @@ vbgpd_status vbgpd_context_log_next(vbgpd_context* context, int64_t after, vbgpd
 
 vbgpd_status vbgpd_context_set_log(vbgpd_context* context, vbgpd_log_fn fn, void* user, int32_t level) {
   return with(context, [&](ContextObject& object) {
+    if (fn == nullptr) level = VBGPD_LOG_WARNING;  // to end it takes no level
     if (level < VBGPD_LOG_WARNING || level > VBGPD_LOG_DETAIL)
       throw ArgumentError(4, Status::kRange,
                           "level is " + std::to_string(level) + "; it must be one of VBGPD_LOG_* (1 to 3).");

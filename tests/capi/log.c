@@ -133,7 +133,8 @@ static void many_threads_speak_at_once(void) {
   for (i = 0; i < speakers; ++i) CHECK(pthread_create(&threads[i], NULL, run_to_the_end, jobs[i]) == 0);
   while (ended < speakers) {
     if (next_line(context, after) != VBGPD_OK) continue;
-    CHECK(line.sequence == after + 1 && (line.level == VBGPD_LOG_WARNING || text[strlen(text) - 1] == '.' || strlen(text) == 247));
+    CHECK(line.sequence == after + 1 &&
+          (line.level == VBGPD_LOG_WARNING || text[strlen(text) - 1] == '.' || strlen(text) == 247));
     after = line.sequence;
     ended += strstr(text, "The job ended") != NULL;
   }
@@ -206,6 +207,9 @@ static void told_as_they_are_said(void) {
   CHECK_OK(vbgpd_model_destroy(make_model(context, 1)));
   CHECK(e.lines == kept + 1);
   kept = e.lines;
+  CHECK_OK(vbgpd_context_set_log(context, NULL, NULL, 0)); /* ends it, at whatever level */
+  CHECK_OK(vbgpd_model_destroy(make_model(context, 1)));
+  CHECK(e.lines == kept);
   CHECK_OK(vbgpd_context_set_log(context, hear, &e, VBGPD_LOG_INFO));
   CHECK_OK(vbgpd_job_destroy(job));
   CHECK_OK(vbgpd_job_create_equilibrium(model, &job));

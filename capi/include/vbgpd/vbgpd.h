@@ -129,7 +129,7 @@ typedef struct vbgpd_context_desc {
   int32_t threads;       /* workers per model, up to 1024; 0 = all cores, 1 = none (default). Results do not depend on it; where
                           * the system gives fewer, those do the work */
   int32_t reserved;      /* 0 */
-  int64_t max_particles; /* model creation beyond it gives VBGPD_E_LIMIT; 0 = no limit (default) */
+  int64_t max_particles; /* of a model, walls included; beyond it VBGPD_E_LIMIT, a spacing that fits in the text; 0 = no limit (default) */
   int64_t max_bytes;     /* a model predicted to have more once it was stepped, relaxed and read (saved states not counted), or a run-out
                           * that has more: VBGPD_E_LIMIT, a spacing that would fit in the text; 0 = no limit (default) */
   vbgpd_alloc_fn alloc;  /* both or none; NULL (default): those of the C++ library */
@@ -160,7 +160,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_log_next(vbgpd_context*, int64_t
 /* The same lines as they are said, of level and below (1 to VBGPD_LOG_DETAIL; another one gives VBGPD_E_RANGE): fn is called within
  * the call that says them, on its thread, in the default floating-point environment, one line at a time; text ends with a NUL
  * and, as line, lasts as long as fn. R5 holds; what fn throws is dropped. A line said by what fn itself calls is only kept.
- * fn NULL, or destroying the context, ends it. VBGPD_E_BUSY: fn is running on another thread; VBGPD_E_REENTRANT: on this one. */
+ * fn NULL (level is not read then), or destroying the context, ends it. VBGPD_E_BUSY: fn is running on another thread; VBGPD_E_REENTRANT: on this one. */
 typedef void(VBGPD_CALL* vbgpd_log_fn)(void* user, const vbgpd_log_line* line, const char* text);
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_context_set_log(vbgpd_context*, vbgpd_log_fn fn, void* user, int32_t level);
 
@@ -196,7 +196,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_material(vbgpd_profile*, con
 /* Layers are painted in order; n = 0 (xy NULL) fills the exterior, later polygons overwrite. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_layer(vbgpd_profile*, const double* xy, int64_t stride, int64_t n, int64_t material_id, int64_t* layer_id);
 /* A held part of the outline. side "base", "left" or "right" with n = 0, or side NULL and a polyline along the exterior.
- * A profile without any boundary has a fixed base and rollers left and right. */
+ * A profile without any boundary has three in its model: 0 a fixed base, 1 a roller left, 2 a roller right. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_boundary(vbgpd_profile*, const char* side, int64_t side_len, const double* xy, int64_t stride, int64_t n, int32_t kind, int64_t* boundary_id);
 /* Vertical pressure (Pa, down positive) on the ground surface from x0 to x1, linear from pressure to pressure_end. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_profile_add_load(vbgpd_profile*, double x0, double x1, double pressure, double pressure_end, int64_t* load_id);
@@ -292,9 +292,12 @@ typedef struct vbgpd_advance_result {
 /* Explicit dynamic steps with true masses at the stable time step. r may be NULL.
  * VBGPD_E_DIVERGED: a particle outran the waves, or energy came out of nothing (5 % of what the motion holds or turned over; looked
  * at every 512 steps, not where walls are moved); the model is back at a good step and readable: at most 64 steps before (a run-out
- * 256), or at the last look at the energy, which may be before this call. VBGPD_CANCELLED: between two steps. */
+ * 256), or at the last look at the energy, which may be before this call. What the host wrote before that step stays written,
+ * mad velocities too: write sound ones or restore a state. VBGPD_CANCELLED: between two steps. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_step(vbgpd_model*, int64_t steps, vbgpd_advance_result* r);
-VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_cancel(vbgpd_model*); /* [any-thread] [signal-safe] */
+/* Stops a _step or _advance_to between two steps. The request stands until one has obeyed it: without one under way it stops the next
+ * before its first step. vbgpd_job_cancel does the same to _run, this one does not. [any-thread] [signal-safe] */
+VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_cancel(vbgpd_model*);
 /* Dynamic steps of equal length, none longer than the stable one, that end exactly at time (s); VBGPD_OK = there.
  * VBGPD_LIMIT_REACHED: wall_seconds (<= 0: no limit) are over; VBGPD_CANCELLED: by vbgpd_model_cancel or fn; call again
  * with the same time to go on, the result is that of an uninterrupted run, bit by bit. fn (may be NULL) is called at most
@@ -344,7 +347,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_snapshot(const vbgpd_model*, void*
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_model_create_runout(const vbgpd_model* from, vbgpd_model** out);
 /* Works on a run-out model. A model without stress is first brought to equilibrium under gravity without strengths (phase 1);
  * then it moves (phase 6) until its kinetic energy is below 1e-6 of its peak, until it is plain that the slope stands, or to the
- * job's "end_time" (s of the model's time; 0 = to rest). Afterwards another job goes on with the same model. Results: status
+ * job's "end_time" (s of the model's time; 0 = to rest, NOT_CONVERGED after 200 times the fall time sqrt(H/g)). Afterwards another job goes on with the same model. Results: status
  * AT_REST or TIME_REACHED, crest_settlement (of the highest ground, from the undeformed section on), toe_displacement (soil at the foot of the slope on the side
  * where the front went farther), runout_distance (of the connected mass that came from behind that foot and moved a spacing or more: its front, beyond the foot),
  * moved_area (soil that did), plastic_fraction, max_displacement, energy_residual. */
@@ -364,6 +367,7 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_equilibrium(vbgpd_model*, vbg
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_create_strength_reduction(vbgpd_model*, vbgpd_job** out);
 /* "srf_min", "srf_max", "srf_tolerance" (taken from the profile), "careful" (0 fast search then verification, 1 plain
  * bisection from the gravity state), "step_limit" (per trial, looked at every ten steps). Before the first _run only.
+ * Every job takes every option and minds its own: an equilibrium "step_limit", a run-out "end_time", a strength reduction all but that.
  * "stiffness_contrast" (3): soils that yield count as at most so many times as stiff as the softest one, which leaves the factor
  * of safety as it is and saves most of the time; "reason" says where it did. The model then takes over displacements and
  * stresses of the failing state, the strain that differs is the shape its soil was placed in; without a bracket it is as it was.
@@ -385,8 +389,9 @@ VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_cancel(vbgpd_job*); /* [any-thread] 
  * cpu_seconds is the processor time that the whole process, all its threads, took while the job ran.
  * An equilibrium job: unbalanced_force_ratio, max_displacement, displacement_level, steps, wall_seconds, cpu_seconds. */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_f64(const vbgpd_job*, const char* name, int64_t len, double* value);
-/* "status" (OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, TOO_COARSE, ENERGY_UNBALANCED:
- * the value of the finest grid is given as it is; TARGET_NOT_MET; DIVERGED; REFUSED: a grid could not be made; NO_MEMORY; INTERNAL), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
+/* "status" (NOT_RUN: not finished; of an equilibrium STABLE, UNSTABLE, NOT_CONVERGED; of a run-out AT_REST, TIME_REACHED,
+ * NOT_CONVERGED; of a strength reduction OK, BELOW_MIN, ABOVE_MAX, NOT_CONVERGED, NOT_FIRST_ORDER, NOT_MONOTONIC, THIN_LAYER, THIN_SLIDE, TOO_COARSE, ENERGY_UNBALANCED:
+ * the value of the finest grid is given as it is; TARGET_NOT_MET; DIVERGED; REFUSED: a grid could not be made; of any NO_MEMORY, INTERNAL), "reason" (a sentence), "scheme", "reduced" (which strengths), "flow_rule" */
 VBGPD_API vbgpd_status VBGPD_CALL vbgpd_job_get_text(const vbgpd_job*, const char* name, int64_t len, char* buf, int64_t cap, int64_t* needed);
 
 /* One strength reduction factor that was tried, with its evidence. */
