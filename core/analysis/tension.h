@@ -6,7 +6,7 @@
 namespace vbgpd {
 
 /// Depth below the ground, m, down to which the major principal stress in the section's plane is tension from the
-/// surface on; the deepest such column, soils with a tension cut-off left out. 0 where there is none.
+/// surface on; the deepest such column, elastic soils and those with a tension cut-off left out. 0 where there is none.
 Real tension_depth(const Simulation& simulation);
 
 }  // namespace vbgpd
