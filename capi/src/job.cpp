@@ -125,35 +125,6 @@ Names known_options() {
   return names;
 }
 
-/// What _get_f64 answers, options first.
-Names known_numbers() {
-  Names names = known_options();
-  names.insert(names.end(), {"factor_of_safety",
-                             "srf_stable",
-                             "srf_unstable",
-                             "error_estimate",
-                             "displacement_level",
-                             "sliding_area",
-                             "energy_residual",
-                             "unbalanced_force_ratio",
-                             "max_displacement",
-                             "crest_settlement",
-                             "toe_displacement",
-                             "runout_distance",
-                             "moved_area",
-                             "plastic_fraction",
-                             "observed_order",
-                             "next_level_spacing",
-                             "next_level_seconds",
-                             "trials",
-                             "steps",
-                             "particles",
-                             "bonds",
-                             "wall_seconds",
-                             "cpu_seconds"});
-  return names;
-}
-
 [[noreturn]] void unknown_name(const char* what, std::string_view name, const Names& known) {
   throw ArgumentError(2, Status::kUnknownName,
                       std::string("A job has no ") + what + " named \"" + std::string(name) + "\": it has " +
@@ -232,7 +203,7 @@ vbgpd_status vbgpd_job_get_f64(const vbgpd_job* job, const char* name, int64_t l
   return with(job, [&](JobObject& object) {
     require_not_null(value, 4, "value");
     const std::string_view key = text_in(name, len, 2, "name");
-    if (const Names known = known_numbers(); std::find(known.begin(), known.end(), key) == known.end())
+    if (const Names known = job_numbers(); std::find(known.begin(), known.end(), key) == known.end())
       unknown_name("number", key, known);
     std::optional<Inside> model;  // what is read off the model, which another thread may be stepping
     if (key == "particles" || key == "bonds") require(model.emplace(object.engine->gate), 1, "model of this job");

@@ -85,6 +85,8 @@ struct JobOption {
   bool whole = false;                          ///< a count or a choice: no fractions
 };
 std::span<const JobOption> job_options();
+/// What Job::get answers: options, then results.
+std::vector<std::string_view> job_numbers();
 
 class Job {
  public:

@@ -28,9 +28,44 @@ constexpr JobOption kOptions[] = {
      kWhole},
 };
 
+/// A number of a result under its own name.
+struct ResultNumber {
+  const char* name;
+  double JobResult::*value;
+};
+constexpr ResultNumber kNumbers[] = {
+    {"factor_of_safety", &JobResult::factor_of_safety},
+    {"srf_stable", &JobResult::srf_stable},
+    {"srf_unstable", &JobResult::srf_unstable},
+    {"error_estimate", &JobResult::error_estimate},
+    {"displacement_level", &JobResult::displacement_level},
+    {"sliding_area", &JobResult::sliding_area},
+    {"energy_residual", &JobResult::energy_residual},
+    {"unbalanced_force_ratio", &JobResult::unbalanced_force_ratio},
+    {"max_displacement", &JobResult::max_displacement},
+    {"crest_settlement", &JobResult::crest_settlement},
+    {"toe_displacement", &JobResult::toe_displacement},
+    {"runout_distance", &JobResult::runout_distance},
+    {"moved_area", &JobResult::moved_area},
+    {"plastic_fraction", &JobResult::plastic_fraction},
+    {"observed_order", &JobResult::observed_order},
+    {"next_level_spacing", &JobResult::next_level_spacing},
+    {"next_level_seconds", &JobResult::next_level_seconds},
+    {"wall_seconds", &JobResult::wall_seconds},
+    {"cpu_seconds", &JobResult::cpu_seconds},
+};
+
 }  // namespace
 
 std::span<const JobOption> job_options() { return kOptions; }
+
+std::vector<std::string_view> job_numbers() {
+  std::vector<std::string_view> names;
+  for (const JobOption& option : kOptions) names.emplace_back(option.name);  // "levels" among them
+  for (const ResultNumber& number : kNumbers) names.emplace_back(number.name);
+  names.insert(names.end(), {"trials", "steps", "particles", "bonds"});
+  return names;
+}
 
 void require_fixed_bonds(const Simulation& simulation, std::string_view what) {
   if (simulation.runs_out())
@@ -117,30 +152,13 @@ double SliceJob::get(std::string_view name) const {
   const JobResult& r = result_;
   if (const auto found = options_.find(std::string(name)); found != options_.end() && name != "levels")
     return found->second;
-  if (name == "factor_of_safety") return r.factor_of_safety;
-  if (name == "srf_stable") return r.srf_stable;
-  if (name == "srf_unstable") return r.srf_unstable;
-  if (name == "error_estimate") return r.error_estimate;
-  if (name == "displacement_level") return r.displacement_level;
-  if (name == "sliding_area") return r.sliding_area;
-  if (name == "energy_residual") return r.energy_residual;
-  if (name == "unbalanced_force_ratio") return r.unbalanced_force_ratio;
-  if (name == "max_displacement") return r.max_displacement;
-  if (name == "crest_settlement") return r.crest_settlement;
-  if (name == "toe_displacement") return r.toe_displacement;
-  if (name == "runout_distance") return r.runout_distance;
-  if (name == "moved_area") return r.moved_area;
-  if (name == "plastic_fraction") return r.plastic_fraction;
+  for (const ResultNumber& number : kNumbers)
+    if (name == number.name) return r.*number.value;
   if (name == "levels") return started_ ? static_cast<double>(r.levels.size()) : option("levels");
-  if (name == "observed_order") return r.observed_order;
-  if (name == "next_level_spacing") return r.next_level_spacing;
-  if (name == "next_level_seconds") return r.next_level_seconds;
   if (name == "trials") return static_cast<double>(r.trials.size());
   if (name == "steps") return static_cast<double>(r.steps);
   if (name == "particles") return static_cast<double>(simulation_.particle_count());
   if (name == "bonds") return static_cast<double>(simulation_.bond_count());
-  if (name == "wall_seconds") return r.wall_seconds;
-  if (name == "cpu_seconds") return r.cpu_seconds;
   throw Error(Status::kUnknownName, "no value of a job is named '" + std::string(name) + "'");
 }
 
