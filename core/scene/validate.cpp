@@ -219,7 +219,7 @@ void check_strength(const MaterialDef& m, Report& report) {
   if (std::isnan(m.cohesion))
     report.error(Status::kArgument, "cohesion is missing: law " + quoted(m.law) + " needs it (" +
                                         unit_text("Pa", report.units).substr(1) + ", 0 is allowed with friction)");
-  if (m.dilatancy_angle > m.friction_angle)
+  if (m.friction_angle >= 0 && m.dilatancy_angle > m.friction_angle)  // else told of friction_angle itself
     report.error(Status::kRange,
                  "dilatancy_angle = " + number_text(m.dilatancy_angle) +
                      " degrees: must not exceed friction_angle = " + number_text(m.friction_angle) + " degrees" +
@@ -363,6 +363,13 @@ void check_loads(const SceneDef& scene, Report& report) {
     if (load.pressure < 0 || load.pressure_end < 0)
       report.warn("a negative pressure pulls the ground up: loads are positive downwards",
                   load.pressure < 0 ? load.pressure : load.pressure_end);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double from = std::fmax(load.x0, scene.loads[j].x0), to = std::fmin(load.x1, scene.loads[j].x1);
+      if (from < to)
+        report.warn("stands on loads[" + std::to_string(j) + "] from x = " + number_text(from) + " to " +
+                        number_text(to) + " m: their pressures add",
+                    from);
+    }
     constexpr double kHeavy = 5e6;
     if (const double most = std::fmax(load.pressure, load.pressure_end); most > kHeavy)
       report.warn(
