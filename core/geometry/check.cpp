@@ -239,6 +239,7 @@ std::vector<Issue> check_geometry(const SceneDef& scene) {
   if (exterior_sound && !too_small(extent, issues)) check_layers(scene, sound, issues);
   if (measurable) check_boundaries(scene, issues);
   if (measurable) check_loads(scene, issues);
+  check_overlapping_loads(scene, issues);
   if (exterior_sound) check_standing_water(scene, issues);
   return issues;
 }

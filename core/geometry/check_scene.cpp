@@ -7,6 +7,7 @@
 #include "geometry/format.h"
 #include "geometry/outline.h"
 #include "geometry/paint.h"
+#include "scene/wording.h"
 
 namespace vbgpd {
 namespace {
@@ -176,6 +177,25 @@ void check_loads(const SceneDef& scene, std::vector<Issue>& issues) {
                  " is off the ground surface, which spans x = " + coordinate(left, extent) + " to " +
                  coordinate(right, extent) + "; x0 and x1 must lie within";
     issues.push_back(issue);
+  }
+}
+
+void check_overlapping_loads(const SceneDef& scene, std::vector<Issue>& issues) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < scene.loads.size(); ++k)
+    if (scene.loads[k].x0 < scene.loads[k].x1) order.push_back(k);
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return scene.loads[k].x0; });
+  for (std::size_t n = 1, farthest = 0; n < order.size(); ++n) {
+    const LoadDef &before = scene.loads[order[farthest]], &load = scene.loads[order[n]];
+    if (const double end = std::min(before.x1, load.x1); load.x0 < end) {
+      const auto [lower, upper] = std::minmax(order[farthest], order[n]);
+      Issue issue = issue_of(Severity::kWarning, ObjectKind::kLoad, upper);
+      issue.status = Status::kRange, issue.value = load.x0;
+      issue.text = "loads[" + std::to_string(upper) + "]: stands on loads[" + std::to_string(lower) +
+                   "] from x = " + number_text(load.x0) + " to " + number_text(end) + " m: their pressures add";
+      issues.push_back(issue);
+    }
+    if (load.x1 > before.x1) farthest = n;
   }
 }
 

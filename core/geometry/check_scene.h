@@ -20,6 +20,9 @@ void check_boundaries(const SceneDef& scene, std::vector<Issue>& issues);
 /// Loads that do not lie on the ground surface.
 void check_loads(const SceneDef& scene, std::vector<Issue>& issues);
 
+/// Warns of loads that stand on each other: from left to right, each against the one before it that reaches farthest.
+void check_overlapping_loads(const SceneDef& scene, std::vector<Issue>& issues);
+
 /// Warns where the water table stands above the ground and is not level there.
 void check_standing_water(const SceneDef& scene, std::vector<Issue>& issues);
 

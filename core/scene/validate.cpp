@@ -363,13 +363,6 @@ void check_loads(const SceneDef& scene, Report& report) {
     if (load.pressure < 0 || load.pressure_end < 0)
       report.warn("a negative pressure pulls the ground up: loads are positive downwards",
                   load.pressure < 0 ? load.pressure : load.pressure_end);
-    for (std::size_t j = 0; j < i; ++j) {
-      const double from = std::fmax(load.x0, scene.loads[j].x0), to = std::fmin(load.x1, scene.loads[j].x1);
-      if (from < to)
-        report.warn("stands on loads[" + std::to_string(j) + "] from x = " + number_text(from) + " to " +
-                        number_text(to) + " m: their pressures add",
-                    from);
-    }
     constexpr double kHeavy = 5e6;
     if (const double most = std::fmax(load.pressure, load.pressure_end); most > kHeavy)
       report.warn(

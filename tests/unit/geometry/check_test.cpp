@@ -183,6 +183,24 @@ TEST(CheckGeometry, LoadsMustLieOnTheGroundSurface) {
   EXPECT_TRUE(says(issues[1], "x0 must be less than x1")) << issues[1].text;
 }
 
+TEST(CheckGeometry, LoadsThatStandOnEachOtherAreNamed) {
+  SceneDef scene = scene_of(slope());
+  scene.loads = {{2, 4, 10e3, 10e3}, {3, 5, 10e3, 10e3}};
+  auto issues = check_geometry(scene);
+  ASSERT_EQ(issues.size(), 1u) << all_text(issues);
+  EXPECT_EQ(issues[0].severity, Severity::kWarning);
+  EXPECT_EQ(issues[0].object_id, 1);
+  EXPECT_EQ(issues[0].text, "loads[1]: stands on loads[0] from x = 3 to 4 m: their pressures add");
+  scene.loads = {{2, 4, 10e3, 10e3}, {4, 5, 10e3, 10e3}};
+  EXPECT_TRUE(check_geometry(scene).empty());
+  // of many, each with the one before it that reaches farthest
+  scene.loads = {{8, 9, 10e3, 10e3}, {1, 10, 10e3, 10e3}, {2, 3, 10e3, 10e3}};
+  issues = check_geometry(scene);
+  ASSERT_EQ(issues.size(), 2u) << all_text(issues);
+  EXPECT_TRUE(says(issues[0], "loads[2]: stands on loads[1] from x = 2 to 3 m")) << issues[0].text;
+  EXPECT_TRUE(says(issues[1], "loads[1]: stands on loads[0] from x = 8 to 9 m")) << issues[1].text;
+}
+
 TEST(CheckGeometry, WaterThatStandsIsLevel) {
   SceneDef scene = scene_of(slope());
   const Box box = box_of(scene.exterior);

@@ -448,13 +448,6 @@ TEST(Validate, WarnsOfALoadThatPullsUp) {
                  [](SceneDef& s) { s.loads[0].pressure = -20000; });
 }
 
-TEST(Validate, WarnsOfLoadsThatStandOnEachOther) {
-  expect_warning("loads[1]: stands on loads[0] from x = 3 to 4 m: their pressures add", [](SceneDef& s) {
-    s.loads = {{2, 4, 10e3, 10e3}, {3, 5, 10e3, 10e3}};
-  });
-  EXPECT_TRUE(issues_after([](SceneDef& s) { s.loads = {{2, 4, 10e3, 10e3}, {4, 5, 10e3, 10e3}}; }).empty());
-}
-
 TEST(Validate, ANegativeFrictionAngleIsOneError) {
   EXPECT_EQ(issues_after([](SceneDef& s) { s.materials[0].friction_angle = -24; }).size(), 1u);
 }
