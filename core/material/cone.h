@@ -27,11 +27,6 @@ struct Cone {
     return {static_cast<Truth<R>>(sheared | torn)};
   }
 
-  VBGPD_INLINE Returned<R> returned(const Stress<R>& trial) const {
-    const Look looked = look(trial, k);
-    if (!any(looked.yields)) return {trial, R{}, false};
-    return returned(trial, looked, k);
-  }
   /// Closed-form return where a lane yields: mean stress capped at t, then
   ///   dlambda = f / (G + 9 K alpha_phi alpha_psi),  sqrt(J2) -= G dlambda,  m -= 3 K alpha_psi dlambda,
   /// and the apex where sqrt(J2) would turn negative. Exact: a second return changes nothing.

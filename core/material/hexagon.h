@@ -89,11 +89,6 @@ struct Hexagon {
     return {{s1, -(s1 + s3), s3}, diameter, f, static_cast<Truth<R>>(sheared | torn)};
   }
 
-  VBGPD_INLINE Returned<R> returned(const Stress<R>& trial) const {
-    const Look looked = look(trial, k);
-    if (!any(looked.yields)) return {trial, R{}, false};
-    return returned(trial, looked, k);
-  }
   /// Closed-form return where a lane yields; all shear regimes in lockstep, the rare cut-off lane by lane. Exact: a
   /// second return changes nothing.
   VBGPD_INLINE Returned<R> returned(const Stress<R>& trial, const Look& looked, R strength) const {

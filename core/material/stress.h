@@ -25,5 +25,13 @@ struct Returned {
   bool any;   ///< true when at least one lane yielded
 };
 
+/// A trial stress returned to a surface (cone.h, hexagon.h) of its own strength k, where it yields.
+template <class Surface, class R>
+VBGPD_INLINE Returned<R> return_to(const Surface& surface, const Stress<R>& trial) {
+  const typename Surface::Look looked = surface.look(trial, surface.k);
+  if (!any(looked.yields)) return {trial, R{}, false};
+  return surface.returned(trial, looked, surface.k);
+}
+
 }  // namespace VBGPD_ISA
 }  // namespace vbgpd

@@ -13,7 +13,7 @@ namespace observe_detail {
 
 inline Returned<Real> returned(const LawConstants& c, ReturnAlgorithm algorithm, const Stress<Real>& trial) {
   static_assert(kReturnAlgorithms == 2, "what is no cone is a hexagon");
-  return algorithm == ReturnAlgorithm::kCone ? Cone<Real>(c).returned(trial) : Hexagon<Real>(c).returned(trial);
+  return algorithm == ReturnAlgorithm::kCone ? return_to(Cone<Real>(c), trial) : return_to(Hexagon<Real>(c), trial);
 }
 
 /// Symmetric bond strain (VB2) or, for i == j, particle strain.

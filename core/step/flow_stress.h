@@ -28,7 +28,7 @@ template <class Surface, class R>
 VBGPD_INLINE Stress<R> returned_to(const FlowLaw& law, R extra_cohesion, const Stress<R>& trial) {
   Surface surface(law.constants);
   surface.k += extra_cohesion * law.constants.k_per_cohesion;
-  return surface.returned(trial).stress;
+  return return_to(surface, trial).stress;
 }
 
 template <class R>

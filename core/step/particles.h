@@ -26,7 +26,7 @@ VBGPD_INLINE double particle_stress(const StepData& d, const Controls& controls,
   if (record != nullptr) pxx = load(record), pyy = load(record + kWidth), pxy = load(record + 2 * kWidth);
   const Stress<Pack> trial{twice_shear * (exx - third - pxx), twice_shear * (eyy - third - pyy),
                            twice_shear * (exy - pxy), law.bulk * load(d.dilation + i)};
-  const Returned<Pack> r = law.returned(trial);
+  const Returned<Pack> r = return_to(law, trial);
   const Stress<Pack>& s = r.stress;
   const Pack volume = visible(load(d.volume + i), lanes);
   double plastic_work = 0;

@@ -88,8 +88,8 @@ class ReferenceStep {
         const Stress<Real> trial{G2 * (d(0, 0) - third - ep[0]), G2 * (d(1, 1) - third - ep[1]), G2 * (d(0, 1) - ep[2]),
                                  c.bulk_modulus * (theta[i] + theta[j]) / 2};
         const Returned<Real> r_map = algorithm_of(laws_[pair]) == ReturnAlgorithm::kCone
-                                         ? Cone<Real>(c).returned(trial)
-                                         : Hexagon<Real>(c).returned(trial);
+                                         ? return_to(Cone<Real>(c), trial)
+                                         : return_to(Hexagon<Real>(c), trial);
         const Stress<Real>& s = r_map.stress;
         ep += Eigen::Vector3d(trial.xx - s.xx, trial.yy - s.yy, trial.xy - s.xy) / G2;
         const Real dilated = r_map.dilated;

@@ -155,8 +155,8 @@ class PlainRunout {
     std::visit([&](auto law) { decltype(law)::derive(m_.strength[k], c); }, m_.law[k]);
     c.shear_modulus = m_.moduli[k].shear_modulus, c.bulk_modulus = m_.moduli[k].bulk_modulus;
     if (m_.extra_cohesion.present()) c.k += m_.extra_cohesion[i] * c.k_per_cohesion;
-    return algorithm_of(m_.law[k]) == ReturnAlgorithm::kCone ? Cone<Real>(c).returned(trial).stress
-                                                             : Hexagon<Real>(c).returned(trial).stress;
+    return algorithm_of(m_.law[k]) == ReturnAlgorithm::kCone ? return_to(Cone<Real>(c), trial).stress
+                                                             : return_to(Hexagon<Real>(c), trial).stress;
   }
 
   /// Gap memory, rotation, elastic trial, return; the increment is taken in the middle of the drift.

@@ -12,8 +12,8 @@ namespace vbgpd {
 namespace {
 
 Stress<Real> returned(const AnyLaw& law, const LawConstants& c, const Stress<Real>& s) {
-  return algorithm_of(law) == ReturnAlgorithm::kCone ? Cone<Real>(c).returned(s).stress
-                                                     : Hexagon<Real>(c).returned(s).stress;
+  return algorithm_of(law) == ReturnAlgorithm::kCone ? return_to(Cone<Real>(c), s).stress
+                                                     : return_to(Hexagon<Real>(c), s).stress;
 }
 
 struct PrincipalStress {
@@ -139,8 +139,8 @@ TYPED_TEST(EveryLaw, PacksReturnWhatScalarsReturn) {
         s.xx[l] = t.xx, s.yy[l] = t.yy, s.xy[l] = t.xy, s.m[l] = t.m;
       }
       const Stress<Pack> r = algorithm_of(AnyLaw(TypeParam{})) == ReturnAlgorithm::kCone
-                                 ? Cone<Pack>(c).returned(s).stress
-                                 : Hexagon<Pack>(c).returned(s).stress;
+                                 ? return_to(Cone<Pack>(c), s).stress
+                                 : return_to(Hexagon<Pack>(c), s).stress;
       for (int l = 0; l < kWidth; ++l) {
         const auto& t = trials[n + static_cast<std::size_t>(l)];
         const Stress<Real> one = returned(TypeParam{}, c, t);
