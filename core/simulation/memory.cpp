@@ -92,6 +92,21 @@ double forward_offsets(const SceneDef& scene, const Lattice& lattice) {
   return (inside - 1) / 2;
 }
 
+/// The first spacing above the one asked for that fits, as it is printed; "" where none does. Every one is tried on the
+/// lattice it would get, and as it is printed: a section has its own way of rounding.
+template <class Fits>
+std::string wider_spacing(const SceneDef& scene, Real spacing, const Fits& fits) {
+  constexpr double kWider = 1.02;
+  const double widest = box_of(counter_clockwise(scene.exterior)).size().minCoeff() / 2;
+  for (double wider = kWider * spacing; wider <= widest; wider *= kWider) {
+    const std::string printed = number_text(wider, 3);
+    double rounded = wider;
+    std::from_chars(printed.data(), printed.data() + printed.size(), rounded);
+    if (fits(rounded)) return printed;
+  }
+  return {};
+}
+
 }  // namespace
 
 double predicted_bytes(const SceneDef& scene, const Lattice& lattice, int width) {
@@ -126,16 +141,8 @@ void require_bytes(const SceneDef& scene, const LatticeOf& lattice_of, Real spac
   issue.text = "spacings of " + number_text(lattice.spacing.x()) + " m and " + number_text(lattice.spacing.y()) +
                " m need about " + number_text(std::ceil(needed), 12) + " bytes, more than the " +
                std::to_string(max_bytes) + " allowed: ";
-  // every spacing is tried on the lattice it would get, and as it is printed: a section has its own way of rounding
-  constexpr double kWider = 1.02;
-  const double widest = box_of(counter_clockwise(scene.exterior)).size().minCoeff() / 2;
-  std::string fits;
-  for (double wider = kWider * spacing; wider <= widest && fits.empty(); wider *= kWider) {
-    const std::string printed = number_text(wider, 3);
-    double rounded = wider;
-    std::from_chars(printed.data(), printed.data() + printed.size(), rounded);
-    if (predicted_bytes(scene, lattice_of(rounded), width) <= most) fits = printed;
-  }
+  const std::string fits = wider_spacing(
+      scene, spacing, [&](Real wider) { return predicted_bytes(scene, lattice_of(wider), width) <= most; });
   issue.text += fits.empty() ? "no spacing would fit" : "a spacing of " + fits + " m would fit";
   throw Error(issue);
 }
@@ -148,31 +155,26 @@ Section section_within(const SceneDef& scene, const LatticeOf& lattice_of, Real 
   } catch (const Error& error) {
     if (error.issue().status != Status::kLimit || max_particles <= 0) throw;
   }
-  const Box box = box_of(counter_clockwise(scene.exterior));
-  const double area = signed_area(local(counter_clockwise(scene.exterior), lattice.origin));
-  const auto predicted = [&](double step) {  // walls on three sides: rather too many
-    return area / (step * step) + reach * ((box.size().x() + 2 * box.size().y()) / step + 2.0 * reach);
+  const auto predicted = [&](const Lattice& on) {  // walls on three sides: rather too many
+    const Places places = places_of(scene, on);
+    return places.soil + places.walls;
   };
-  // what is few enough to be cut is counted; a limit is there to save memory
-  constexpr double kCounted = 3e5, kWider = 1.02;
-  const bool counted = predicted(std::sqrt(lattice.spacing.prod())) < kCounted;
-  const double needed = counted ? static_cast<double>(discretise(scene, lattice, reach, 0).seeds.size())
-                                : std::ceil(predicted(std::sqrt(lattice.spacing.prod())));
-  std::string fits;
+  constexpr double kCounted = 3e5;  // what is few enough to be cut is counted; a limit is there to save memory
+  const bool counted = predicted(lattice) < kCounted;
+  const double needed =
+      counted ? static_cast<double>(discretise(scene, lattice, reach, 0).seeds.size()) : std::ceil(predicted(lattice));
   int tries = 30;  // cuts of a section, the first of them almost always good
-  for (double wider = kWider * spacing; wider <= box.size().minCoeff() / 2 && fits.empty() && tries > 0;
-       wider *= kWider) {
-    if (predicted(wider) > 1.2 * static_cast<double>(max_particles)) continue;
+  const std::string fits = wider_spacing(scene, spacing, [&](Real wider) {
+    const Lattice on = lattice_of(wider);
+    if (tries == 0 || predicted(on) > 1.2 * static_cast<double>(max_particles)) return false;
     --tries;
-    const std::string printed = number_text(wider, 3);
-    double rounded = wider;
-    std::from_chars(printed.data(), printed.data() + printed.size(), rounded);
     try {
-      discretise(scene, lattice_of(rounded), reach, max_particles);
-      fits = printed;
+      discretise(scene, on, reach, max_particles);
+      return true;
     } catch (const Error&) {  // the next one
+      return false;
     }
-  }
+  });
   throw Error(
       Issue{.status = Status::kLimit,
             .object = ObjectKind::kProfile,
