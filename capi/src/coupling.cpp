@@ -34,6 +34,9 @@ std::vector<double> present_rows(const Simulation& simulation, std::int32_t fiel
 /// Beyond it squares of distances between places and particles would overflow; no map reaches as far.
 constexpr double kFarthest = 1e12;
 bool on_a_map(double coordinate) { return std::fabs(coordinate) <= kFarthest; }
+std::string map_range() {
+  return "coordinates must be between -" + number_text(kFarthest) + " and " + number_text(kFarthest) + " m.";
+}
 
 void require_places(const std::vector<Point>& places) {
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -42,9 +45,7 @@ void require_places(const std::vector<Point>& places) {
     Issue issue;
     issue.status = Status::kRange, issue.item = static_cast<std::int64_t>(k);
     issue.text = "Place " + std::to_string(k) +
-                 (finite ? " is at (" + number_text(places[k].x) + ", " + number_text(places[k].y) +
-                               "); coordinates must be between -" + number_text(kFarthest) + " and " +
-                               number_text(kFarthest) + " m."
+                 (finite ? " is at (" + number_text(places[k].x) + ", " + number_text(places[k].y) + "); " + map_range()
                          : " has a coordinate that is not a finite number.");
     throw ArgumentError(3, issue);
   }
@@ -52,13 +53,12 @@ void require_places(const std::vector<Point>& places) {
 
 /// The issue's item is the place, as the caller numbers them, not a particle that would get a value from there.
 void require_values(const FieldInfo& info, const std::vector<double>& given, bool gaps, int argument) {
+  const double largest = largest_written(info);
   for (std::size_t k = 0; k < given.size(); ++k) {
-    if (gaps && std::isnan(given[k])) continue;
-    const std::string fault = fault_of(info, given[k]);
-    if (fault.empty()) continue;
+    if (std::fabs(given[k]) <= largest || (gaps && std::isnan(given[k]))) continue;
     Issue issue;
     issue.status = Status::kRange, issue.item = static_cast<std::int64_t>(k) / info.components, issue.value = given[k];
-    issue.text = "The value at place " + std::to_string(issue.item) + " " + fault + ".";
+    issue.text = "The value at place " + std::to_string(issue.item) + " " + fault_text(given[k], largest) + ".";
     throw ArgumentError(argument, issue);
   }
 }
@@ -71,7 +71,7 @@ void require_raster(double x0, double y0, double dx, double dy, std::int64_t nx,
   if (!(on_a_map(x0) && on_a_map(y0) && on_a_map(x0 + static_cast<double>(nx - 1) * dx) &&
         on_a_map(y0 + static_cast<double>(ny - 1) * dy)))
     throw ArgumentError(3, Status::kRange,
-                        "The raster reaches beyond 1e+12 m; coordinates must be between -1e+12 and 1e+12 m.");
+                        "The raster reaches beyond " + number_text(kFarthest) + " m; " + map_range());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "simulation/outside.h"
 
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "scene/wording.h"
@@ -47,22 +48,25 @@ void add_pore_force(const Array& pressure, Model& m) {
   });
 }
 
-std::string fault_of(const FieldInfo& info, double value) {
+double largest_written(const FieldInfo& info) {
+  return std::string_view(info.name) == "velocity" ? kLargestSpeed : std::numeric_limits<double>::max();
+}
+
+std::string fault_text(double value, double largest) {
   if (!std::isfinite(value)) return "is not a finite number";
-  if (std::string_view(info.name) == "velocity" && std::fabs(value) > kLargestSpeed)
-    return "is " + number_text(value) + " m/s; it must be between -" + number_text(kLargestSpeed) + " and " +
-           number_text(kLargestSpeed) + " m/s";
-  return {};
+  return "is " + number_text(value) + " m/s; it must be between -" + number_text(largest) + " and " +
+         number_text(largest) + " m/s";
 }
 
 void require_writable(const FieldInfo& info, const std::vector<double>& rows) {
+  const double largest = largest_written(info);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const std::string fault = fault_of(info, rows[k]);
-    if (fault.empty()) continue;
+    if (std::fabs(rows[k]) <= largest) continue;
     Issue issue;
     issue.status = Status::kRange, issue.object = ObjectKind::kModel, issue.value = rows[k];
     issue.item = static_cast<std::int64_t>(k) / info.components;
-    issue.text = std::string(info.name) + " of particle " + std::to_string(issue.item) + " " + fault;
+    issue.text =
+        std::string(info.name) + " of particle " + std::to_string(issue.item) + " " + fault_text(rows[k], largest);
     throw Error(issue);
   }
 }

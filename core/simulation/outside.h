@@ -37,8 +37,10 @@ void add_pore_force(const Array& pore_pressure, Model& m);
 /// m/s, of what may be written: beyond it kinetic energy and the works booked with it would soon be no numbers that a
 /// checkpoint holds, and no wave in soil is as fast.
 inline constexpr double kLargestSpeed = 1e9;
-/// What is wrong with a number of a writable field, as "is not a finite number"; empty where nothing is.
-std::string fault_of(const FieldInfo& info, double value);
+/// The largest magnitude that may be written to a field; NaN and infinity are beyond it.
+double largest_written(const FieldInfo& info);
+/// What is wrong with a number beyond that, as "is not a finite number".
+std::string fault_text(double value, double largest);
 /// Throws Error(kRange) that names the first particle with such a number; rows by particle id.
 void require_writable(const FieldInfo& info, const std::vector<double>& rows);
 
