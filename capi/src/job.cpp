@@ -1,13 +1,10 @@
 // Jobs: long analyses in slices.
-#include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include "convert.h"
 #include "guard.h"
 #include "listener.h"
-#include "scene/wording.h"
 
 namespace vbgpd::capi {
 namespace {
@@ -117,18 +114,15 @@ vbgpd_level level_of(const Level& from) {
   return to;
 }
 
-using Names = std::vector<std::string_view>;
-
-Names known_options() {
-  Names names;
-  for (const JobOption& option : job_options()) names.emplace_back(option.name);
-  return names;
-}
-
-[[noreturn]] void unknown_name(const char* what, std::string_view name, const Names& known) {
-  throw ArgumentError(2, Status::kUnknownName,
-                      std::string("A job has no ") + what + " named \"" + std::string(name) + "\": it has " +
-                          list_text(known) + suggestion_text(name, known));
+/// What the engine says of a name, argument 2.
+template <class Ask>
+auto by_name(const Ask& ask) {
+  try {
+    return ask();
+  } catch (const Error& error) {
+    if (error.issue().status != Status::kUnknownName) throw;
+    throw ArgumentError(2, error.issue());
+  }
 }
 
 const std::string& named_text(const JobResult& result, std::string_view name) {
@@ -137,7 +131,8 @@ const std::string& named_text(const JobResult& result, std::string_view name) {
   if (name == "scheme") return result.scheme;
   if (name == "reduced") return result.reduced;
   if (name == "flow_rule") return result.flow_rule;
-  unknown_name("text", name, {"status", "reason", "scheme", "reduced", "flow_rule"});
+  static constexpr std::string_view kTexts[] = {"status", "reason", "scheme", "reduced", "flow_rule"};
+  unknown_name("text", name, kTexts);
 }
 
 }  // namespace
@@ -161,9 +156,7 @@ vbgpd_status vbgpd_job_create_runout(vbgpd_model* model, vbgpd_job** out) {
 vbgpd_status vbgpd_job_set_f64(vbgpd_job* job, const char* name, int64_t len, double value) {
   return with(job, [&](JobObject& object) {
     const std::string_view key = text_in(name, len, 2, "name");
-    if (const Names known = known_options(); std::find(known.begin(), known.end(), key) == known.end())
-      unknown_name("option", key, known);
-    object.job->set(key, value);
+    by_name([&] { object.job->set(key, value); });
     return Status::kOk;
   });
 }
@@ -203,11 +196,9 @@ vbgpd_status vbgpd_job_get_f64(const vbgpd_job* job, const char* name, int64_t l
   return with(job, [&](JobObject& object) {
     require_not_null(value, 4, "value");
     const std::string_view key = text_in(name, len, 2, "name");
-    if (const Names known = job_numbers(); std::find(known.begin(), known.end(), key) == known.end())
-      unknown_name("number", key, known);
     std::optional<Inside> model;  // what is read off the model, which another thread may be stepping
     if (key == "particles" || key == "bonds") require(model.emplace(object.engine->gate), 1, "model of this job");
-    *value = object.job->get(key);
+    *value = by_name([&] { return object.job->get(key); });
     return Status::kOk;
   });
 }
@@ -215,7 +206,8 @@ vbgpd_status vbgpd_job_get_f64(const vbgpd_job* job, const char* name, int64_t l
 vbgpd_status vbgpd_job_get_text(const vbgpd_job* job, const char* name, int64_t len, char* buf, int64_t cap,
                                 int64_t* needed) {
   return with(job, [&](JobObject& object) {
-    text_out(named_text(object.job->result(), text_in(name, len, 2, "name")), buf, cap, needed, 4);
+    const std::string_view key = text_in(name, len, 2, "name");
+    text_out(by_name([&] { return named_text(object.job->result(), key); }), buf, cap, needed, 4);
     return Status::kOk;
   });
 }

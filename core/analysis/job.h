@@ -85,6 +85,8 @@ struct JobOption {
   bool whole = false;                          ///< a count or a choice: no fractions
 };
 std::span<const JobOption> job_options();
+/// Throws Error(kUnknownName) that says which there are. `what`: option, number, text.
+[[noreturn]] void unknown_name(const char* what, std::string_view name, std::span<const std::string_view> known);
 /// What Job::get answers: options, then results.
 std::vector<std::string_view> job_numbers();
 

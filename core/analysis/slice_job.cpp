@@ -57,6 +57,11 @@ constexpr ResultNumber kNumbers[] = {
 
 }  // namespace
 
+void unknown_name(const char* what, std::string_view name, std::span<const std::string_view> known) {
+  throw Error(Status::kUnknownName, std::string("A job has no ") + what + " named \"" + std::string(name) +
+                                        "\": it has " + list_text(known) + suggestion_text(name, known));
+}
+
 std::span<const JobOption> job_options() { return kOptions; }
 
 std::vector<std::string_view> job_numbers() {
@@ -145,7 +150,9 @@ void SliceJob::set(std::string_view name, double value) {
     options_[o.name] = value;
     return;
   }
-  throw Error(Status::kUnknownName, "no option of a job is named '" + std::string(name) + "'");
+  std::vector<std::string_view> known;
+  for (const JobOption& o : kOptions) known.emplace_back(o.name);
+  unknown_name("option", name, known);
 }
 
 double SliceJob::get(std::string_view name) const {
@@ -159,7 +166,7 @@ double SliceJob::get(std::string_view name) const {
   if (name == "steps") return static_cast<double>(r.steps);
   if (name == "particles") return static_cast<double>(simulation_.particle_count());
   if (name == "bonds") return static_cast<double>(simulation_.bond_count());
-  throw Error(Status::kUnknownName, "no value of a job is named '" + std::string(name) + "'");
+  unknown_name("number", name, job_numbers());
 }
 
 }  // namespace vbgpd
