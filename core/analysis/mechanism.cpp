@@ -13,15 +13,6 @@ namespace vbgpd {
 
 namespace {
 
-/// Length of the displacement between two instants, by id.
-std::vector<double> motion(const Instant& before, const Instant& after) {
-  std::vector<double> out(after.plastic_strain.size());
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = std::hypot(after.displacement[2 * i] - before.displacement[2 * i],
-                        after.displacement[2 * i + 1] - before.displacement[2 * i + 1]);
-  return out;
-}
-
 std::vector<double> shearing(const Instant& before, const Instant& after) {
   std::vector<double> out(after.plastic_strain.size());
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -333,7 +324,10 @@ bool band_connected(const Simulation& simulation, const Instant& before, const I
 SlipSurface slip_surface(const Simulation& simulation, const Instant& before, const Instant& after) {
   SlipSurface out;
   const Section& section = simulation.section();
-  CellGrid moved(section, motion(before, after));
+  const CellGrid right(section, moved_along(0, before, after)), up(section, moved_along(1, before, after));
+  CellGrid moved = right;
+  for (std::size_t k = 0; k < moved.values().size(); ++k)
+    moved.values()[k] = std::hypot(right.values()[k], up.values()[k]);
   CellGrid rate(section, shearing(before, after));
   const double fastest = quantile(moved, 0.995);
   if (!(fastest > 0)) return out;
@@ -343,7 +337,6 @@ SlipSurface slip_surface(const Simulation& simulation, const Instant& before, co
     if (v >= 0.3 * fastest) fast.push_back(v);
   std::nth_element(fast.begin(), fast.begin() + static_cast<std::ptrdiff_t>(fast.size() / 2), fast.end());
   const double level = 0.5 * fast[fast.size() / 2];
-  const CellGrid right(section, moved_along(0, before, after)), up(section, moved_along(1, before, after));
   out.side = side_of_slide(moved, right, up, level);
   for (std::size_t k = 0; k < moved.values().size(); ++k)
     if (out.side * right.values()[k] < 0) moved.values()[k] = rate.values()[k] = 0;

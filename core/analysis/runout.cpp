@@ -182,12 +182,13 @@ class RunoutJob final : public SliceJob {
     std::vector<double> before, moved;
     simulation_.read(find_field("reference_position"), before), simulation_.read(find_field("displacement"), moved);
     const Real near = kNear * simulation_.get("spacing_x");
-    for (const Real end : upright_ends(simulation_.section().exterior, kUpright * simulation_.get("spacing_y"))) {
+    for (const SectionEnd& end :
+         upright_ends(simulation_.section().exterior, kUpright * simulation_.get("spacing_y"))) {
       Real most = 0;
       for (std::size_t i = 0; i + 1 < before.size(); i += 2)
-        if (std::fabs(before[i] - end) < near) most = std::max(most, std::hypot(moved[i], moved[i + 1]));
-      if (end != told && most > std::max(near / 3, kShare * result_.max_displacement))
-        result_.reason += "; the soil at the end of the section at x = " + number_text(end) + " m moved by " +
+        if (std::fabs(before[i] - end.x) < near) most = std::max(most, std::hypot(moved[i], moved[i + 1]));
+      if (end.x != told && most > std::max(near / 3, kShare * result_.max_displacement))
+        result_.reason += "; the soil at the end of the section at x = " + number_text(end.x) + " m moved by " +
                           number_text(most, 2) + " m: where the ground goes on there, use a longer section";
     }
   }

@@ -229,17 +229,15 @@ class StrengthReductionJob final : public SliceJob {
   /// A mechanism that comes out at the end of the section would go on beyond it, and at a lower factor.
   std::string cut_off_at_a_side() const {
     constexpr Real kNear = 2, kUpright = 3;  // spacings: from a side; what a side is high that could cut it off
-    const Polygon& exterior = simulation_.section().exterior;
     const Level& finest = result_.levels.back();
     const std::vector<Point>& line = result_.slip_surface;
     std::string text;
     if (line.empty()) return text;
-    for (const Real side : upright_ends(exterior, kUpright * finest.spacing_y)) {
-      const auto ends_here = [&](const Point& p) { return std::fabs(p.x - side) < kNear * finest.spacing_x; };
-      if (!ends_here(line.front()) && !ends_here(line.back())) continue;
-      const bool left = std::all_of(exterior.begin(), exterior.end(), [&](const Point& p) { return p.x >= side; });
-      text += "; the slip surface comes out at the " + std::string(left ? "left" : "right") +
-              " end of the section, x = " + number_text(side) + " m: a longer section may fail at a lower factor";
+    for (const SectionEnd& end : upright_ends(simulation_.section().exterior, kUpright * finest.spacing_y)) {
+      const auto ends_here = [&](const Point& p) { return std::fabs(p.x - end.x) < kNear * finest.spacing_x; };
+      if (ends_here(line.front()) || ends_here(line.back()))
+        text += std::string("; the slip surface comes out at the ") + end.name +
+                " end of the section, x = " + number_text(end.x) + " m: a longer section may fail at a lower factor";
     }
     return text;
   }
