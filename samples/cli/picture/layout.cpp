@@ -94,7 +94,8 @@ double legend_height(const Sheet& sheet, bool notes_below) {
 /// Whether a soil's parameters are too long to stand behind its name.
 bool notes_need_a_row(cairo_t* cr, const Sheet& sheet, double width) {
   return std::any_of(sheet.materials.begin(), sheet.materials.end(), [&](const Material& m) {
-    return kLegendSwatch + text_width(cr, m.name, kLegendStyle) + 15 + text_width(cr, m.parameters, kLegendNoteStyle) >
+    return kLegendSwatch + kLegendGap + text_width(cr, m.name, kLegendStyle) + kLegendNoteGap +
+               text_width(cr, m.parameters, kLegendNoteStyle) >
            width;
   });
 }

@@ -52,6 +52,8 @@ Layout arrange(cairo_t* cr, const Sheet& sheet);
 double ground_elevation(const Polyline& exterior, double x);
 
 /// From one soil of the legend to the next.
-constexpr double kLegendRow = 15, kLegendNoteRow = 12, kLegendSwatch = 18;
+constexpr double kLegendRow = 15, kLegendNoteRow = 12;
+/// A swatch, the gap to its name, the gap from there to a note behind it.
+constexpr double kLegendSwatch = 18, kLegendGap = 7, kLegendNoteGap = 8;
 
 }  // namespace cli::picture

@@ -12,12 +12,12 @@ namespace {
 /// A name and, where there is room, a note behind it or below. Gives the baseline of the next entry.
 double write_entry(cairo_t* cr, const Layout& layout, double baseline, const std::string& name,
                    const std::string& note) {
-  const double left = layout.soils.x0 + kLegendSwatch + 7, right = layout.soils.x1;
+  const double left = layout.soils.x0 + kLegendSwatch + kLegendGap, right = layout.soils.x1;
   const std::string shown = fitted(cr, name, kLegendStyle, right - left);
   write(cr, {left, baseline}, shown, kLegendStyle);
   if (note.empty()) return baseline + kLegendRow;
   const Point place = layout.notes_below ? Point{left, baseline + kLegendNoteRow}
-                                         : Point{left + text_width(cr, shown, kLegendStyle) + 8, baseline};
+                                         : Point{left + text_width(cr, shown, kLegendStyle) + kLegendNoteGap, baseline};
   const double least = 40;  // less room than this holds nothing that can be read
   if (place.x + least < right) write(cr, place, fitted(cr, note, kLegendNoteStyle, right - place.x), kLegendNoteStyle);
   return place.y + kLegendRow;
