@@ -1,7 +1,7 @@
 // A section that ends too near cuts the mechanism off: the factor of safety is too high, and the result says so.
 #include <gtest/gtest.h>
 
-#include "analysis/job.h"
+#include "validation/solve.h"
 
 namespace vbgpd {
 namespace {
@@ -17,13 +17,6 @@ SceneDef soft_clay(double level_ground) {
   s.layers = {{"clay", {}}};
   s.spacing = 0.5;
   return s;
-}
-
-JobResult solved(const SceneDef& scene) {
-  const auto simulation = Simulation::compile(scene, {});
-  const auto job = make_strength_reduction(*simulation);
-  EXPECT_EQ(job->run(0, {}), Status::kOk) << job->result().reason;
-  return job->result();
 }
 
 TEST(ShortSection, IsNamedWhereItCutsTheSlipSurfaceOff) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/job.h"
+#include "validation/solve.h"
 
 namespace vbgpd {
 namespace {
@@ -22,19 +22,11 @@ SceneDef of_one_soil(Polygon exterior, double dilatancy_angle) {
   return s;
 }
 
-JobResult solved(const SceneDef& scene) {
-  const auto simulation = Simulation::compile(scene, {});
-  const auto job = make_strength_reduction(*simulation);
-  job->set("levels", 1);
-  EXPECT_EQ(job->run(0, {}), Status::kOk) << job->result().reason;
-  return job->result();
-}
-
 TEST(SlipLine, OfADamThatFailsOnBothFacesIsOneSlide) {
   const Real center = 38;
   const JobResult dam =
-      solved(of_one_soil({{0, -5}, {76, -5}, {76, 0}, {58, 0}, {40, 9}, {36, 9}, {18, 0}, {0, 0}}, 0));
-  const JobResult half = solved(of_one_soil({{0, -5}, {76, -5}, {76, 9}, {36, 9}, {18, 0}, {0, 0}}, 0));
+      solved(of_one_soil({{0, -5}, {76, -5}, {76, 0}, {58, 0}, {40, 9}, {36, 9}, {18, 0}, {0, 0}}, 0), 1);
+  const JobResult half = solved(of_one_soil({{0, -5}, {76, -5}, {76, 9}, {36, 9}, {18, 0}, {0, 0}}, 0), 1);
   EXPECT_NE(dam.reason.find("both sides"), std::string::npos) << dam.reason;
   EXPECT_EQ(half.reason.find("both sides"), std::string::npos) << half.reason;
   EXPECT_NEAR(dam.sliding_area, half.sliding_area, 0.2 * half.sliding_area);
@@ -47,7 +39,7 @@ TEST(SlipLine, OfAFootingIsOneMechanism) {
   SceneDef s = of_one_soil({{0, 0}, {32, 0}, {32, 12}, {0, 12}}, 0);
   s.materials[0].law = "undrained", s.materials[0].cohesion = 20e3, s.materials[0].friction_angle = 0;
   s.loads = {{14, 18, 80e3, 80e3}};
-  const JobResult result = solved(s);
+  const JobResult result = solved(s, 1);
   EXPECT_EQ(result.reason.find("both sides"), std::string::npos) << result.reason;
   ASSERT_FALSE(result.slip_surface.empty());
   EXPECT_LT(result.slip_surface.front().x, 14);
@@ -55,7 +47,7 @@ TEST(SlipLine, OfAFootingIsOneMechanism) {
 }
 
 TEST(SlipLine, ComesOutOfLevelGroundAtAnAngle) {
-  const JobResult result = solved(of_one_soil({{0, -5}, {50, -5}, {50, 0}, {30, 0}, {12, 9}, {0, 9}}, 25));
+  const JobResult result = solved(of_one_soil({{0, -5}, {50, -5}, {50, 0}, {30, 0}, {12, 9}, {0, 9}}, 25), 1);
   const std::vector<Point>& line = result.slip_surface;
   ASSERT_GT(line.size(), 2u);
   const Point end = line.back(), before = line[line.size() - 2];
